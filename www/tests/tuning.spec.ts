@@ -21,7 +21,7 @@ const tunedOf = (outcome: Outcome): NonNullable<Outcome['tuned']> => {
 
 for (const threads of [1, 4]) {
   test(`${threads} of threads beside: the same state as without them, played, sought, back and forth`, async ({ lab, page }) => {
-    await cores(lab, threads + 1)
+    await cores(lab, threads)
     const workers = new Set<string>()
     let started = 0
     page.on('worker', (worker) => {

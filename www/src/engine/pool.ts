@@ -2,8 +2,6 @@ import { type Remote, wrap } from 'comlink'
 import { host } from './host'
 import type { TaskApi } from './host/trial.worker'
 
-/** More threads than these cost more memory than they save time. */
-const MOST = 8
 /** Threads without work end after so many milliseconds. */
 const PATIENCE = 30_000
 /** Steps that take long are not waited for longer than so many milliseconds when they are called off. */
@@ -15,7 +13,7 @@ export class Aborted extends Error {
 }
 
 /** A thread with a core of its own. */
-class Thread {
+export class Thread {
   private readonly worker = host().worker('trial')
   readonly api = wrap<TaskApi>(this.worker)
   private fail: (reason: Error) => void = () => undefined
@@ -57,14 +55,14 @@ interface Waiting {
   drop(): void
 }
 
-/** Threads that carry out tasks: as many at a time as the machine has cores, less the one for what is seen. */
+/** Threads that carry out tasks, as many at a time as the machine has cores. */
 export class WorkerPool {
   private idle: Thread[] = []
   private busy = 0
   private waiting: Waiting[] = []
   private leaving: ReturnType<typeof setTimeout> | undefined
 
-  constructor(readonly size = Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), MOST)) {}
+  constructor(readonly size = Math.max(navigator.hardwareConcurrency || 2, 1)) {}
 
   /** Carries out a task as soon as there is a thread. Fails with `Aborted`, or with what broke its thread. */
   run<T>(task: Task<T>, options: Options = {}): Promise<T> {

@@ -14,12 +14,13 @@ function inGap({ evaluations, values, exact }: Measured): Curve {
   return { evaluations, values: exact ? values.map((value) => (value - exact) / exact) : values }
 }
 
-const broken = (error: unknown): Ending => ({ is: 'broken', message: causeOf(error) })
+/** With a short message. The module's memory is in an unknown state then: another thread takes the place of this one. */
+const broken = (error: unknown): Error => new Error(causeOf(error), { cause: error })
 
-/** What the core refuses. Other errors are thrown, with a short message: the batch starts another thread. */
+/** What the core refuses. Other errors are thrown. */
 function refusedBy(error: unknown): Refusal {
   const refusal = refusalOf(error)
-  if (!refusal) throw new Error(causeOf(error), { cause: error })
+  if (!refusal) throw broken(error)
   return refusal
 }
 
@@ -60,8 +61,7 @@ const api = {
         return new Trial({ ...setup, scene } as Setup, undefined)
       })
     } catch (error) {
-      const refusal = refusalOf(error)
-      return refusal ? { is: 'refused', refusal } : broken(error)
+      return { is: 'refused', refusal: refusedBy(error) }
     }
     try {
       if (stopped || !(await stepToEnd(trial))) return { is: 'stopped' }
@@ -69,8 +69,7 @@ const api = {
       const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
       return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
     } catch (error) {
-      // Its memory is in an unknown state: whoever asked starts another thread.
-      return broken(error)
+      throw broken(error)
     } finally {
       trial.free()
     }

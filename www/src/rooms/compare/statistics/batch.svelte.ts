@@ -5,11 +5,10 @@ import { lab } from '../../../stores/lab.svelte'
 import type { ProposedBatch } from '../../../stores/proposed.svelte'
 import { Requests } from '../../../engine/requests'
 import { sameScene } from '../../../scene/equality'
-import { wait } from '../../../engine/host/pace'
 import type { Refusal } from '../../../engine/protocol'
 import type { Ending, Errand, Maps, Row } from '../../../engine/trial.protocol'
 import { Trials } from '../../../engine/trials'
-import { Clerk } from './statistics-worker'
+import { StatisticsWorker } from './statistics-worker'
 import {
   type Entrant,
   applicable,
@@ -52,7 +51,7 @@ const [LEAST_PAUSE, MOST_PAUSE] = [250, 1500]
 const FIRST = 4
 /** Requests about what is run on: a scene, or maps. */
 const GROUND = 'ground'
-export const threads = (): number => Math.max(navigator.hardwareConcurrency || 2, 1)
+const wait = (milliseconds: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, milliseconds))
 const stay = (event: BeforeUnloadEvent): void => event.preventDefault()
 
 /** Many runs: what is to be run, what came out, and whether it goes on. It goes on while other views are looked at. */
@@ -88,13 +87,13 @@ class Batch {
   private stopping = false
   private since = { at: 0, done: 0 }
   private telling: ReturnType<typeof setTimeout> | undefined
-  private readonly clerk = new Clerk()
+  private readonly statistics = new StatisticsWorker()
   private readonly looks = new TestLooks()
   /** Requests about the entrants' parameters, by slot and name. */
   private readonly requests = new Requests<string>()
   private asking = false
   private askAgain = false
-  private readonly trials = new Trials(threads(), {
+  private readonly trials = new Trials({
     next: () => this.next(),
     over: (errand, ending) => this.take(errand, ending),
     rested: () => this.rest(),
@@ -165,7 +164,7 @@ class Batch {
   scatter = async (maps: Maps): Promise<Refusal | null> => {
     const request = this.requests.note(GROUND)
     try {
-      const made = await this.clerk.map(maps, this.from)
+      const made = await this.statistics.map(maps, this.from)
       if (this.requests.replaced(request, GROUND)) return null
       if (!made.scene) return made.refused ?? null
       this.scene = made.scene
@@ -239,7 +238,7 @@ class Batch {
     const wanted = { ...entrant.params, [name]: value }
     const params = applicable(planner, plan.scene, wanted)
     try {
-      const refusal = await this.clerk.check({ planner: planner.name, scene: plan.scene, params, seed: 1 })
+      const refusal = await this.statistics.check({ planner: planner.name, scene: plan.scene, params, seed: 1 })
       if (this.requests.replaced(request, `${slot} ${name}`, `${slot}`)) return ''
       if (refusal?.field === name) return refusal.message
     } catch (error) {
@@ -365,7 +364,7 @@ class Batch {
       this.rows.delete(key)
       for (const row of of.values()) this.unsaved.delete(row)
       this.kept -= of.size
-      this.clerk.forget(key)
+      this.statistics.forget(key)
     }
   }
 
@@ -436,7 +435,7 @@ class Batch {
       return
     }
     const relative = inGaps(plan, groups)
-    const answer = await this.clerk.summarise(groups, relative)
+    const answer = await this.statistics.summarise(groups, relative)
     this.shown = shownOf(plan, groups, answer, this.looks.at(plan, groups), relative)
   }
 }

@@ -1,7 +1,7 @@
 import type { UncheckedSetup } from 'forage-lab'
 import type { Refusal } from '../../../engine/protocol'
 import type { Answered, Made, Maps, Question, Row, Values } from '../../../engine/trial.protocol'
-import { Thread } from '../../../engine/trials'
+import { type Task, Thread } from '../../../engine/pool'
 
 export interface Group {
   slot: number
@@ -17,17 +17,17 @@ export interface Group {
 }
 
 /** A thread that sums up and checks, so that nobody waits for a run. */
-export class Clerk {
+export class StatisticsWorker {
   private thread: Thread | undefined
   private told = new WeakSet<Row>()
 
   check(setup: UncheckedSetup): Promise<Refusal | null> {
-    return this.ask(({ api }) => api.check(setup))
+    return this.ask((api) => api.check(setup))
   }
 
   /** A map for a seed, or what the generator refuses. */
   map(maps: Maps, seed: number): Promise<Made> {
-    return this.ask(({ api }) => api.map({ ...maps, params: { ...maps.params } }, seed))
+    return this.ask((api) => api.map({ ...maps, params: { ...maps.params } }, seed))
   }
 
   /** `relative`: by the gaps to the optimum instead of the values. */
@@ -63,7 +63,7 @@ export class Clerk {
         values: valuesOf(rows.filter(({ record }) => shared.has(record.seed))),
       })),
     })
-    const answer = await this.ask(({ api }) => api.summarise(question()))
+    const answer = await this.ask((api) => api.summarise(question()))
     for (const { rows } of groups) for (const row of rows) this.told.add(row)
     return answer
   }
@@ -73,7 +73,7 @@ export class Clerk {
   }
 
   /** A thread that broke down is replaced once; the new one is told everything again. */
-  private async ask<T>(question: (thread: Thread) => Promise<T>): Promise<T> {
+  private async ask<T>(question: Task<T>): Promise<T> {
     try {
       return await this.put(question)
     } catch {
@@ -81,13 +81,14 @@ export class Clerk {
     }
   }
 
-  private async put<T>(question: (thread: Thread) => Promise<T>): Promise<T> {
+  private async put<T>(question: Task<T>): Promise<T> {
     this.thread ??= new Thread()
     const { thread } = this
     try {
-      return await thread.ask(question(thread))
-    } catch (error) {
-      thread.end()
+      return await thread.run(question)
+    } catch (cause) {
+      const error = cause instanceof Error ? cause : new Error(String(cause))
+      thread.end(error)
       if (thread === this.thread) {
         this.thread = undefined
         this.told = new WeakSet()
