@@ -1,4 +1,4 @@
-/* What crosses between a run's host and whoever shows the run. */
+/* What crosses between the host of a run and the client that shows it. */
 import type {
   Finding,
   Inspection,
@@ -73,6 +73,21 @@ export interface Desired {
   budget: number
 }
 
+/** What nobody has wanted otherwise. A canvas draws so many vertices in a few tens of milliseconds. */
+export const DEFAULTS: Desired = {
+  start: null,
+  target: null,
+  clock: 'iterations',
+  speed: 30,
+  item: null,
+  viewport: { fields: [], window: null },
+  members: null,
+  underway: true,
+  summary: true,
+  links: false,
+  budget: 100_000,
+}
+
 /** How long a run is, and its parts. */
 export interface Span {
   /** The last iteration, as soon as it is known. */
@@ -137,7 +152,7 @@ export interface Report extends FrameBuffer {
   status: Status
   playing: boolean
   readings: Record<string, number>
-  /** The fields that are shown; whoever has drawn them for the last time closes their bitmaps. */
+  /** The fields that are shown. Their bitmaps are to be closed when they were drawn for the last time. */
   fields: FieldPicture[]
   trace: TraceRows
   /** What happened in simulated time since the furthest state that was reported. */

@@ -1,7 +1,17 @@
 import type { Item } from 'forage-lab'
 import type { Questions } from './host/questions'
 import { type Host, host } from './host'
-import type { Desired, FromHost, Progress, Refusal, Report, Start, Target, ToHost } from './protocol'
+import {
+  DEFAULTS,
+  type Desired,
+  type FromHost,
+  type Progress,
+  type Refusal,
+  type Report,
+  type Start,
+  type Target,
+  type ToHost,
+} from './protocol'
 import type { SubtaskRunner } from './subtasks'
 import { Watchdog } from './watchdog'
 
@@ -27,20 +37,6 @@ export interface Listeners {
 
 /** How often the progress of runs that a step needs is reported, in milliseconds. */
 const PROGRESS_INTERVAL = 100
-
-const NOTHING: Desired = {
-  start: null,
-  target: null,
-  clock: 'iterations',
-  speed: 30,
-  item: null,
-  viewport: { fields: [], window: null },
-  members: null,
-  underway: true,
-  summary: true,
-  links: false,
-  budget: 100_000,
-}
 
 /** A message as it is given: its number is added when it is sent. */
 type Unnumbered<M> = M extends unknown ? Omit<M, 'number'> : never
@@ -89,7 +85,7 @@ export class RunClient {
     wanted: Partial<Desired> = {},
     private readonly hosting: () => Host = host,
   ) {
-    this.desired = { ...NOTHING, ...wanted }
+    this.desired = { ...DEFAULTS, ...wanted }
   }
 
   /** Starts a thread. It begins with all that is wanted. */

@@ -309,7 +309,7 @@ export class Lab extends Inspecting {
 
   // What is planned with what
 
-  protected again(where: Again = 'anew', since?: number): number {
+  protected again(where: Again = 'begin', since?: number): number {
     this.promised = undefined
     const { scene, planner } = this
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
@@ -384,7 +384,7 @@ export class Lab extends Inspecting {
       (seed) => {
         if (this.requests.replaced(request, 'seed')) return
         this.seed = seed
-        this.again('anew', request)
+        this.again('begin', request)
       },
     )
   }

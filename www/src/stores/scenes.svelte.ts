@@ -8,10 +8,10 @@ import { stopsOf, withStops } from '../scene/stops'
 const NUDGING = 800
 
 /**
- * Where a run begins after an edit: anew; where it was, for what has changed is only what it meets on its way; or as after
+ * Where a run begins after an edit: at its beginning; where it was, for what has changed is only what it meets on its way; or as after
  * the edit before, which this one continues.
  */
-export type Again = 'anew' | 'here' | 'on'
+export type Again = 'begin' | 'here' | 'on'
 
 /** Files that a scene was read from, and what there is to say about it. */
 export interface ImportedFiles {

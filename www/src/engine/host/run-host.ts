@@ -1,6 +1,6 @@
 import { armPose, Session, suggest } from 'forage-lab/core'
 import type { ArmScene, Finding, Job, Setup } from 'forage-lab'
-import type { Desired, FromHost, Run, Start, Target } from '../protocol'
+import { DEFAULTS, type Desired, type FromHost, type Run, type Start, type Target } from '../protocol'
 import { silently } from './answers'
 import { Buffers } from './buffers'
 import { spanOf } from './extent'
@@ -15,25 +15,7 @@ const LONG = 400
 /** After a pause of the machine that is longer than so many milliseconds a run goes on from there instead of catching up. */
 const LATE = 200
 
-/** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
-const BUDGET = 100_000
-
 const homeOf = ({ arm }: ArmScene): number[] => arm.joints.map(({ home }) => home)
-
-/** What nobody has wanted otherwise. */
-export const DEFAULTS: Desired = {
-  start: null,
-  target: null,
-  clock: 'iterations',
-  speed: 30,
-  item: null,
-  viewport: { fields: [], window: null },
-  members: null,
-  underway: true,
-  summary: true,
-  links: false,
-  budget: BUDGET,
-}
 
 /** The run that is there. */
 interface Present {
