@@ -134,15 +134,22 @@ export class Lab extends Inspecting {
     this.crash = ''
     this.phase = 'loading'
     void this.client.open()
-    if (this.catalogue) return
-    try {
-      this.catalogue = await readCatalogue()
-    } catch (error) {
-      this.breakDown(error instanceof Error ? error.message : String(error))
-      return
+    if (!this.catalogue) {
+      try {
+        this.catalogue = await readCatalogue()
+      } catch (error) {
+        this.breakDown(error instanceof Error ? error.message : String(error))
+        return
+      }
+      if (this.opened) this.phase = 'ready'
+      this.put(this.shipped(FIRST.scene), false)
     }
-    if (this.opened) this.phase = 'ready'
-    this.put(this.shipped(FIRST.scene), false)
+    // Nothing was wanted before it broke down.
+    if (!this.client.desired.start) await this.openFirst()
+  }
+
+  /** The run of the address, or the one that the page begins with. */
+  private async openFirst(): Promise<void> {
     const opened = location.hash.length > 1 && !views.named(location.hash) && (await this.openLink(location.hash))
     if (!opened) this.restart({ at: 0, play: views.current === 'stage' && !stillness.matches })
   }

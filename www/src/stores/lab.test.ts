@@ -396,6 +396,23 @@ test('what a thread was asked that broke down is not asked again, and what the u
   expect([worker.state.params, lab.params]).toEqual([{ w: 2 }, { w: 2 }])
 })
 
+test('a link in the address is opened after a thread has broken down before it was read', async () => {
+  const fake = new FakeWorker()
+  useHost(fake.host)
+  vi.stubGlobal('location', { hash: '#pso,other,3,25' })
+  const page = new Lab()
+  void page.open()
+  while (fake.waiting < 2) await passed()
+  fake.crash('no core')
+  await passed()
+  expect(page.phase).toBe('crashed')
+  void page.open()
+  await fake.receiveAll()
+  vi.stubGlobal('location', { hash: '', href: 'http://127.0.0.1/' })
+  expect(fake.state).toMatchObject({ planner: '#pso', seed: 3, iteration: 25 })
+  page['client'].close()
+})
+
 test('a part that cannot be loaded is no fault of the scene, and is tried again', async () => {
   worker.unloaded = true
   lab.setPlanner('pso')
