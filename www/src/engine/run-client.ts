@@ -1,4 +1,3 @@
-import type { Item } from 'forage-lab'
 import type { Questions } from './host/questions'
 import { type Host, host } from './host'
 import {
@@ -65,6 +64,8 @@ export class RunClient {
   private present: { start: Start; at: number; target: Target } | null = null
   /** Of the newest start or target. */
   private followed = 0
+  /** Of the newest item. */
+  private chosen = 0
   /** Starts of which nothing is known yet. */
   private begins: { version: number; start: Start }[] = []
   private sent = 0
@@ -121,6 +122,7 @@ export class RunClient {
     if (change.start) this.begins.push({ version: this.version, start: change.start })
     else if (change.target && this.present && !this.starting) this.present.target = change.target
     if (change.start || change.target) this.followed = this.version
+    if ('item' in change) this.chosen = this.version
     this.post({ is: 'want', version: this.version, change })
     return this.version
   }
@@ -240,6 +242,8 @@ export class RunClient {
     if (report.run) {
       const start = this.begins.find(({ version }) => version === generation)?.start
       this.begins = this.begins.filter(({ version }) => version > generation)
+      // An item of the run before is none of this one.
+      if (this.chosen < generation) this.desired.item = null
       if (start) this.present = { start, at, target: this.desired.target ?? { at: start.at, play: start.play } }
     }
     const { present } = this
@@ -318,10 +322,5 @@ export class RunClient {
     desired.start = { setup: start.setup, at: goesOn ? (heading.at ?? from) : from, play: goesOn && heading.play }
     desired.target = null
     this.begins = [{ version: this.version, start: desired.start }]
-  }
-
-  /** The item that is explained, also before there is an answer. */
-  get item(): Item | null {
-    return this.desired.item
   }
 }

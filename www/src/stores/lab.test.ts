@@ -220,6 +220,20 @@ test('what is inspected while the run restarts stays inspected', async () => {
   expect(lab.wantedItem).toEqual({ role: 'pso', index: 4 })
 })
 
+test('what was inspected in a run is not inspected in the next, nor by a thread that takes its place', async () => {
+  lab.inspect({ role: 'particles', index: 4 } as never)
+  await worker.receiveAll()
+  replace().opens()
+  await worker.receiveAll()
+  expect(lab.wantedItem).toEqual({ role: 'particles', index: 4 })
+  lab.setPlanner('pso')
+  await worker.receiveAll()
+  expect(lab.wantedItem).toBeNull()
+  replace().opens()
+  await worker.receiveAll()
+  expect(lab.wantedItem).toBeNull()
+})
+
 describe('after a scene that is refused', () => {
   beforeEach(async () => {
     lab.seek(20)

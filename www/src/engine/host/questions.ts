@@ -39,7 +39,7 @@ export interface Followed<T> {
 export function questionsTo(host: RunHost) {
   const ofRun = async <T>(ask: (session: Session) => T): Promise<Answer<T>> => {
     for (;;) {
-      await host.untilStepEnds()
+      if (!(await host.untilStepEnds())) return { ok: false, refusal: { message: 'there is no run', field: '' } }
       const { session } = host
       // Between the look at the step and the question nothing else may happen: what they need is loaded before, by `ready`.
       const found = await answer(() => (!session || session.partly || session !== host.session ? null : { value: ask(session) }))

@@ -131,12 +131,13 @@ export class RunHost {
     this.wake()
   }
 
-  /** Waits until there is the run that is wanted, and no step is half taken: only then there is something to say of it. */
-  async untilStepEnds(): Promise<void> {
+  /** Waits until there is the run that is wanted, and no step is half taken: only then there is something to say of it. False if there is none. */
+  async untilStepEnds(): Promise<boolean> {
     while (this.pending || !this.present || this.present.session.partly) {
-      if (!this.awake) throw new Error('there is no run')
+      if (!this.awake) return false
       await breathe()
     }
+    return true
   }
 
   /** The core broke down, or something else that must not happen. */
