@@ -52,7 +52,7 @@ interface Options {
 
 interface Waiting {
   begin(thread: Thread): Promise<void>
-  drop(): void
+  fail(reason: unknown): void
 }
 
 /** Threads that carry out tasks, as many at a time as the machine has cores. */
@@ -73,13 +73,17 @@ export class WorkerPool {
         reject(new Aborted())
         return
       }
+      const drop = (): void => {
+        this.waiting = this.waiting.filter((other) => other !== waiting)
+        reject(new Aborted())
+      }
       const waiting: Waiting = {
-        drop: () => {
-          this.waiting = this.waiting.filter((other) => other !== waiting)
-          reject(new Aborted())
+        fail: (reason) => {
+          for (const one of signals) one.removeEventListener('abort', drop)
+          reject(reason instanceof Error ? reason : new Error(String(reason)))
         },
         begin: async (thread) => {
-          for (const one of signals) one.removeEventListener('abort', waiting.drop)
+          for (const one of signals) one.removeEventListener('abort', drop)
           const done = stopWith(thread, signal)
           try {
             resolve(await thread.run(task))
@@ -92,7 +96,7 @@ export class WorkerPool {
           }
         },
       }
-      for (const one of signals) one.addEventListener('abort', waiting.drop, { once: true })
+      for (const one of signals) one.addEventListener('abort', drop, { once: true })
       this.waiting.push(waiting)
       this.goOn()
     })
@@ -103,11 +107,17 @@ export class WorkerPool {
     while (this.busy < this.size) {
       const next = this.waiting.shift()
       if (!next) break
-      this.busy += 1
-      void next.begin(this.idle.pop() ?? new Thread()).finally(() => {
-        this.busy -= 1
-        this.goOn()
-      })
+      try {
+        const thread = this.idle.pop() ?? new Thread()
+        this.busy += 1
+        void next.begin(thread).finally(() => {
+          this.busy -= 1
+          this.goOn()
+        })
+      } catch (error) {
+        // No thread can be started.
+        next.fail(error)
+      }
     }
     if (this.busy === 0) this.leaving = setTimeout(() => this.dismiss(), PATIENCE)
   }

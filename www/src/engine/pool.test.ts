@@ -1,0 +1,48 @@
+import { expect, test, vi } from 'vitest'
+import { useHost } from './host'
+import { Aborted, WorkerPool } from './pool'
+
+const noThreads = (): Worker => {
+  throw new Error('no threads here')
+}
+
+/** A thread that does nothing by itself. */
+class Idle extends EventTarget {
+  onerror = null
+  postMessage = vi.fn()
+  terminate = vi.fn()
+}
+
+test('a task fails where no thread can be started, and so does the next', async () => {
+  useHost({ worker: noThreads, core: () => Promise.resolve(undefined) })
+  const pool = new WorkerPool(1)
+  await expect(pool.run(() => Promise.resolve(1))).rejects.toThrow('no threads here')
+  await expect(pool.run(() => Promise.resolve(1))).rejects.toThrow('no threads here')
+})
+
+test('as many tasks as there may be threads are carried out at a time; one that is called off while it waits is not begun', async () => {
+  const worker = vi.fn(() => new Idle() as unknown as Worker)
+  useHost({ worker, core: () => Promise.resolve(undefined) })
+  const pool = new WorkerPool(2)
+  let [end, begun] = [(): void => undefined, 0]
+  const task = (): Promise<number> =>
+    new Promise((resolve) => {
+      begun += 1
+      end = () => resolve(begun)
+    })
+  const controller = new AbortController()
+  void pool.run(task)
+  const second = pool.run(task)
+  const third = pool.run(task, { waiting: controller.signal })
+  const fourth = pool.run(task)
+  expect([begun, worker.mock.calls.length]).toEqual([2, 2])
+  controller.abort()
+  await expect(third).rejects.toBeInstanceOf(Aborted)
+  end()
+  expect(await second).toBe(2)
+  await vi.waitFor(() => expect(begun).toBe(3))
+  end()
+  expect(await fourth).toBe(3)
+  // The thread of the second task was free for the fourth.
+  expect(worker).toHaveBeenCalledTimes(2)
+})
