@@ -33,7 +33,12 @@ const walkAt = (iteration: number): Walk =>
   sessionAt(ANTS, iteration, (session) => {
     const role = layerOf(session, 'ants')
     const { vertices, spans } = session.frame()
-    return Walk.of(vertices, spans, role)
+    const pieces: Float32Array[] = []
+    for (let at = 0; at < spans.length; at += 4) {
+      const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
+      if (of === role) pieces.push(vertices.subarray(4 * first, 4 * (first + count)))
+    }
+    return Walk.of(pieces)
   })
 
 function told(index: number): Inspection {

@@ -21,7 +21,7 @@ test.beforeEach(async ({ page }) => {
     window.Worker = class extends Real {
       constructor(url: string | URL, options?: WorkerOptions) {
         super(url, options)
-        window.threads = (window.threads ?? 0) + 1
+        if (String(url).includes('run.worker')) window.threads = (window.threads ?? 0) + 1
       }
     }
   })

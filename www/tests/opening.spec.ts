@@ -68,3 +68,10 @@ test('the first picture needs at most 100 kB of JavaScript and 150 kB of the cor
   expect(core).toBeGreaterThan(50_000)
   expect(core).toBeLessThan(150_000)
 })
+
+test('a browser whose language is none shows the page all the same', async ({ lab, page }) => {
+  await page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'language', { get: () => 'C' }))
+  await lab.open(linkTo({}, 5))
+  await lab.settled(5)
+  await expect(page.getByTestId('section-chart').locator('canvas')).toBeVisible()
+})

@@ -26,7 +26,10 @@ export function graphOf(root: string): Graph {
   }
   return new Map(
     files.sort().map((file) => {
-      const imports = [...readFileSync(join(root, file), 'utf8').matchAll(IMPORT)].map(([, to = '']) => to)
+      // Data leads nowhere.
+      const imports = [...readFileSync(join(root, file), 'utf8').matchAll(IMPORT)]
+        .map(([, to = '']) => to)
+        .filter((to) => !to.endsWith('.json'))
       return [file, new Set(imports.map((to) => resolve(file, to)))]
     }),
   )

@@ -182,7 +182,8 @@ export class FakeWorker {
       playing: play,
       arrived: !play,
       readings: {},
-      fields: [],
+      thinning: 1,
+      ranges: {},
       trace: { columns: [], iterations: new Float64Array(), rows: new Float64Array() },
       events: [],
       span: null,
@@ -192,7 +193,7 @@ export class FakeWorker {
       link: '',
       hash: play ? null : `${setup?.planner} ${iteration}`,
       curve: null,
-      buffer: new ArrayBuffer(0),
+      frame: { buffer: new ArrayBuffer(0), vertices: 0, spans: 0, fields: [] },
     } as unknown as Report)
   }
 

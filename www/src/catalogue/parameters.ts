@@ -1,4 +1,4 @@
-import type { Kind, Parameter, ParameterValue, Planner, Scene, When } from 'forage-lab'
+import type { Kind, Layer, Parameter, ParameterValue, Planner, Scene, When } from 'forage-lab'
 
 type Values = Readonly<Record<string, ParameterValue>>
 
@@ -26,3 +26,7 @@ export const meaningful = ({ parameters }: Planner, { kind }: Scene, values: Val
       parameters.some((parameter) => parameter.name === key && applies(parameter, parameters, kind, values)),
     ),
   )
+
+/** The layers that a planner can draw with these values. */
+export const layersOf = ({ layers, parameters }: Planner, kind: Kind, values: Values): Layer[] =>
+  layers.filter(({ when, kinds }) => (kinds?.includes(kind) ?? true) && met(when, parameters, kind, values))

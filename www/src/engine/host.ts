@@ -1,8 +1,8 @@
 /* How what carries the page finds what the engine runs on. Each build has one way: the page, a custom element, a file. */
 
 export interface Host {
-  /** A new thread: one that hosts a run, or one that carries out trials and other tasks. */
-  worker(kind: 'run' | 'trial'): Worker
+  /** A new thread: one that hosts a run, one that carries out trials and other tasks, or one that draws. */
+  worker(kind: 'run' | 'trial' | 'render'): Worker
   /** The core's first part, compiled; nothing where that fails: who loads it itself then says what is wrong. */
   core(): Promise<WebAssembly.Module | undefined>
 }

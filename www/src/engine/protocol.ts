@@ -15,7 +15,7 @@ import type {
   TrialCurve,
   UncheckedSetup,
 } from 'forage-lab'
-import type { FieldPicture, FrameBuffer, Viewport } from '../render/frame'
+import type { Frame, Viewport } from '../render/frame'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -137,7 +137,7 @@ export interface Furthest {
 }
 
 /** The state of a run, with its frame. */
-export interface Report extends FrameBuffer {
+export interface Report {
   is: 'report'
   /** The newest change that it follows. */
   version: number
@@ -152,8 +152,11 @@ export interface Report extends FrameBuffer {
   status: Status
   playing: boolean
   readings: Record<string, number>
-  /** The fields that are shown. Their bitmaps are to be closed when they were drawn for the last time. */
-  fields: FieldPicture[]
+  frame: Frame
+  /** Where there are too many pieces, one of so many is drawn. */
+  thinning: number
+  /** The smallest and the largest value of each field that is shown. */
+  ranges: Record<string, [number, number]>
   trace: TraceRows
   /** What happened in simulated time since the furthest state that was reported. */
   events: RunEvent[]

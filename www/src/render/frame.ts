@@ -1,16 +1,22 @@
 /* What crosses from a run to its picture. */
 import type { Point, Ramp, Scene } from 'forage-lab'
 
-/** A run's layers at one iteration. */
-export interface FrameBuffer {
+/** A run's layers at one iteration. It has one owner at a time: host, page, renderer. */
+export interface Frame {
   /** `vertices` floats (x, y, z and weight of each vertex), then the span table; goes back to the run's pool. */
   buffer: ArrayBuffer
   vertices: number
   /** Numbers of the span table: layer, shape, first vertex and count of each span. */
   spans: number
-  /** Where there are too many pieces, one of so many is drawn. */
-  thinning: number
+  /** The fields that are shown. Their bitmaps are to be closed when they were drawn for the last time. */
+  fields: FieldPicture[]
 }
+
+/** What a frame's buffer holds. */
+export type Layers = Pick<Frame, 'buffer' | 'vertices' | 'spans'>
+
+export const verticesOf = ({ buffer, vertices }: Layers): Float32Array => new Float32Array(buffer, 0, vertices)
+export const spansOf = ({ buffer, vertices, spans }: Layers): Uint32Array => new Uint32Array(buffer, vertices * 4, spans)
 
 /** What of a run is seen. Frames depend on it. */
 export interface Viewport {

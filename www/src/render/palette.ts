@@ -1,31 +1,29 @@
 import type { Color } from 'forage-lab'
+import tokens from '../../../src/describe/palette.json'
 
-/** The tokens' values as the canvas needs them; read anew when the theme changes. */
+const PALETTE: Readonly<Record<string, readonly string[] | undefined>> = tokens
+
+/** Which of the palette's colours a canvas has. */
+export interface Theme {
+  dark: boolean
+  /** The best result has this colour where it is one of several. */
+  best?: string
+}
+
+/** A theme's colours: of a token, as style sheets have it, or of a look. */
 export class Palette {
-  private known = new Map<string, string>()
-  private style: CSSStyleDeclaration
-  private dark: boolean | undefined
+  constructor(private readonly theme: Theme) {}
 
-  constructor(element: Element) {
-    this.style = getComputedStyle(element)
-  }
-
-  refresh(): void {
-    this.known.clear()
-    this.dark = undefined
-  }
-
-  /** A token's value, or a colour by the theme. */
   get(token: string | Color): string {
-    if (typeof token !== 'string') {
-      this.dark ??= this.style.colorScheme === 'dark'
-      return this.dark ? token.dark : token.light
-    }
-    let colour = this.known.get(token)
-    if (colour === undefined) {
-      colour = this.style.getPropertyValue(token).trim()
-      this.known.set(token, colour)
-    }
-    return colour
+    const { dark, best } = this.theme
+    if (typeof token !== 'string') return dark ? token.dark : token.light
+    const own = best !== undefined && token === '--best' ? best : token
+    return PALETTE[own.slice(2)]?.[dark ? 1 : 0] ?? ''
   }
+}
+
+/** A token's colours, by day and by night. */
+export function colorOf(token: string): Color {
+  const [light = '', dark = ''] = PALETTE[token.slice(2)] ?? []
+  return { light, dark }
 }

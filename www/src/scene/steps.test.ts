@@ -1,9 +1,8 @@
 import { expect, test } from 'vitest'
 import { placeAt, Walk } from './steps'
 
-/** Two ants of role 7: one arrives after three steps, the other is stuck after one. Role 1 draws something else. */
-const vertices = Float32Array.of(9, 9, 0, 0, 0, 0, 0, 1, 2, 0, 0, 1, 4, 0, 0, 1, 4, 2, 0, 1, 0, 0, 0, 0, 0, 2, 0, 0)
-const walk = Walk.of(vertices, Uint32Array.of(1, 0, 0, 1, 7, 1, 1, 4, 7, 1, 5, 2), 7)
+/** Two ants: one arrives after three steps, the other is stuck after one. */
+const walk = Walk.of([Float32Array.of(0, 0, 0, 1, 2, 0, 0, 1, 4, 0, 0, 1, 4, 2, 0, 1), Float32Array.of(0, 0, 0, 0, 0, 2, 0, 0)])
 
 test('an ant moves straight between its steps and stays at its end', () => {
   const [ant] = walk.ants

@@ -29,16 +29,16 @@ export class Walk {
   }
 
   /** From the lines of a layer in a frame: a vertex a step, of weight 1 where the ant arrived. */
-  static of(vertices: Float32Array, spans: Uint32Array, layer: number): Walk {
-    const ants: Ant[] = []
-    for (let at = 0; at < spans.length; at += 4) {
-      const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
-      if (of !== layer || count === 0) continue
-      const own = vertices.subarray(VERTEX * first, VERTEX * (first + count))
-      const places = Float32Array.from({ length: 2 * count }, (_, k) => own[VERTEX * (k >> 1) + (k & 1)] ?? 0)
-      ants.push({ places, last: count - 1, arrived: (own[3] ?? 0) > 0.5 })
-    }
-    return new Walk(ants)
+  static of(lines: readonly Float32Array[]): Walk {
+    return new Walk(
+      lines
+        .filter(({ length }) => length > 0)
+        .map((line) => {
+          const count = line.length / VERTEX
+          const places = Float32Array.from({ length: 2 * count }, (_, k) => line[VERTEX * (k >> 1) + (k & 1)] ?? 0)
+          return { places, last: count - 1, arrived: (line[3] ?? 0) > 0.5 }
+        }),
+    )
   }
 
   /** How many are on their way, at the goal and at a dead end after a step. */

@@ -67,7 +67,7 @@ class Arm {
 
   /** Where a point is, if there is one now. */
   place(aim: Aim): Point3 | null {
-    if (aim === 'node') return lab.inspection && lab.frame && lab.names && nodeOf(lab.inspection, lab.frame, lab.names)
+    if (aim === 'node') return lab.inspection && nodeOf(lab.inspection)
     if (aim === 'tip') return this.following.track?.tipAt(this.clock.time) ?? null
     return lab.arm?.[aim] ?? null
   }

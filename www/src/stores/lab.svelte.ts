@@ -2,8 +2,10 @@ import type { Catalogue, Layer, LinkSetup, Look, Outcome, ParameterValue, Planne
 import { en } from '../locales/en/page'
 import type { Refusal, Report, Run } from '../engine/protocol'
 import { RunClient } from '../engine/run-client'
+import { type Anchors, anchorsOf } from '../render/anchors'
+import { Outlet } from '../render/outlet'
 import { address } from './address'
-import { meaningful, met } from '../catalogue/parameters'
+import { layersOf, meaningful, met } from '../catalogue/parameters'
 import type { Clock } from './clock.svelte'
 import { readCatalogue } from './catalogue'
 import { Course } from './history.svelte'
@@ -48,7 +50,11 @@ export class Lab extends Inspecting {
   seed = $state(FIRST.seed)
 
   run = $state.raw<Run | null>(null)
-  frame = $state.raw<Report | null>(null)
+  /** Its frame is the renderer's. */
+  report = $state.raw<Report | null>(null)
+  /** What of the newest frame can be pointed at. */
+  anchors = $state.raw<Anchors | null>(null)
+  readonly frames = new Outlet((buffer) => this.client.giveBack(buffer))
   /** The first picture is on the screen: what it did not need may come. */
   drawn = $state(false)
   computed = $state(0)
@@ -72,7 +78,7 @@ export class Lab extends Inspecting {
   making = $state(false)
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
   /** The planner that drew the frame: another one may have been chosen. */
-  private readonly drawer = $derived(this.catalogue?.planners.find(({ name }) => name === this.frame?.planner))
+  private readonly drawer = $derived(this.catalogue?.planners.find(({ name }) => name === this.report?.planner))
   readonly names = $derived<Names | null>(this.catalogue && namesOf(this.catalogue, this.drawer))
   /** What is looked for is a tour through the stops: start and goal mean nothing. */
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
@@ -227,9 +233,7 @@ export class Lab extends Inspecting {
     Boolean(this.planner && this.scene && met(when, this.planner.parameters, this.scene.kind, this.params))
 
   /** The layers that there can be with these parameters. */
-  readonly layers = $derived<Layer[]>(
-    this.planner?.layers.filter(({ when, kinds }) => this.scene && (kinds?.includes(this.scene.kind) ?? true) && this.met(when)) ?? [],
-  )
+  readonly layers = $derived<Layer[]>(this.planner && this.scene ? layersOf(this.planner, this.scene.kind, this.params) : [])
 
   /** The run that change number `version` wanted is refused. */
   private refuse(refusal: Refusal, version: number): void {
@@ -278,11 +282,8 @@ export class Lab extends Inspecting {
   }
 
   private receive(report: Report): void {
-    const previous = this.frame
-    if (previous) this.client.giveBack(previous.buffer)
-    for (const { bitmap } of previous?.fields ?? []) bitmap.close()
-    this.frame = report
-    if (!previous) requestAnimationFrame(this.seen)
+    this.report = report
+    this.pass(report)
     if (report.run) this.begin(report.run)
     this.course.receive(report)
     this.computed = report.furthest.iteration
@@ -300,8 +301,19 @@ export class Lab extends Inspecting {
     this.compare(report)
   }
 
-  /** The first picture of a thread is on the screen. */
-  private readonly seen = (): void => {
+  /** The frame goes to whom it is drawn by. */
+  private pass({ frame }: Report): void {
+    const { names } = this
+    if (!names) return
+    this.anchors = anchorsOf(frame, names)
+    this.frames.put(frame, names)
+    // In other rooms nothing is drawn.
+    if (!this.frames.connected) requestAnimationFrame(this.seen)
+  }
+
+  /** The first picture is on the screen. */
+  readonly seen = (): void => {
+    if (this.drawn) return
     performance.mark('first-picture')
     this.drawn = true
     this.client.want({ links: true })

@@ -1,3 +1,4 @@
+import type { Questions } from '../engine/host/questions'
 import type { Report } from '../engine/protocol'
 import { Clock } from './clock.svelte'
 import { Walk } from '../scene/steps'
@@ -13,16 +14,20 @@ class Unfolding {
   walk = $state.raw<Walk | null>(null)
   private of = ''
 
-  /** Takes what a settled frame shows. The same iteration again changes nothing. */
-  take(frame: Report, layer: number): void {
-    const of = [frame.generation, frame.iteration].join()
+  /** Takes what a report is of, from the layer of this number. The same iteration again changes nothing. */
+  async take({ generation, iteration }: Report, layer: number, { pieces }: Pick<Questions, 'pieces'>): Promise<void> {
+    const of = [generation, iteration].join()
     if (of === this.of) return
     this.of = of
-    const walk = Walk.of(
-      new Float32Array(frame.buffer, 0, frame.vertices),
-      new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans),
-      layer,
-    )
+    const answer = await pieces(layer)
+    // Meanwhile it is another one.
+    if (this.of !== of) return
+    const found = answer.ok ? answer.value : null
+    if (!found?.result || [found.generation, found.iteration].join() !== of) {
+      this.of = ''
+      return
+    }
+    const walk = Walk.of(found.result)
     this.walk = walk
     this.clock.pace = PACES.find((pace) => walk.end / pace <= PATIENCE) ?? PACES[2]
     this.clock.begin(walk.end)

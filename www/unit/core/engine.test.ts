@@ -84,7 +84,7 @@ function client(wanted: Partial<Desired> = {}): Subject {
     {
       onreport: (report) => {
         last = report
-        made.giveBack(report.buffer)
+        made.giveBack(report.frame.buffer)
       },
       onrefused: (refusal) => refusals.push(refusal),
       onprogress: () => undefined,

@@ -3,6 +3,7 @@ import type {
   ArmSolutions,
   Drive,
   Format,
+  FrameViews,
   GeneratorName,
   Imported,
   Inspection,
@@ -58,6 +59,8 @@ export function questionsTo(host: RunHost) {
       const picked = await ofRun((session) => session.pick(x, y, reach))
       return picked.ok ? picked.value : null
     },
+    /** The vertices of a layer of the frame, piece by piece. */
+    pieces: (layer: number): Promise<Answer<Followed<Float32Array[]>>> => follow((session) => piecesOf(session.frame(host.budget), layer)),
     outcome: (): Promise<Answer<Outcome>> => ofRun((session) => session.outcome()),
     svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => ofRun((session) => session.svg(dark, layers as LayerName[])),
     link: (): Promise<Answer<string>> => ofRun((session) => session.link()),
@@ -91,6 +94,16 @@ export function questionsTo(host: RunHost) {
 }
 
 export type Questions = ReturnType<typeof questionsTo>
+
+/** Copies them: the views of a frame last until the next call of the core. */
+function piecesOf({ vertices, spans }: FrameViews, layer: number): Float32Array[] {
+  const pieces: Float32Array[] = []
+  for (let at = 0; at < spans.length; at += 4) {
+    const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
+    if (of === layer) pieces.push(vertices.slice(4 * first, 4 * (first + count)))
+  }
+  return pieces
+}
 
 async function painted({ min, max, width, height, ramp }: FieldRequest, session: Session | undefined): Promise<ImageBitmap | null> {
   const canvas = new OffscreenCanvas(width, height)

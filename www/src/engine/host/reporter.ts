@@ -83,9 +83,9 @@ export class Reporter {
       evaluations,
       status,
       readings,
+      frame: { ...packed, fields },
       thinning,
-      ...packed,
-      fields,
+      ranges: Object.fromEntries(fields.map(({ role, range }) => [role, range])),
       trace,
       events,
       span,
@@ -97,8 +97,8 @@ export class Reporter {
   }
 
   /** What travels with a report instead of being copied. */
-  static transfers({ buffer, members, fields }: Report): Transferable[] {
-    return [buffer, ...(members ? [members.buffer as ArrayBuffer] : []), ...fields.map(({ bitmap }) => bitmap)]
+  static transfers({ frame, members }: Report): Transferable[] {
+    return [frame.buffer, ...(members ? [members.buffer as ArrayBuffer] : []), ...frame.fields.map(({ bitmap }) => bitmap)]
   }
 
   /** A run always happens in the same way: what was reported once still holds after a step back. */

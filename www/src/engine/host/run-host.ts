@@ -70,6 +70,11 @@ export class RunHost {
     return this.present?.session
   }
 
+  /** Vertices a layer of a frame may have. */
+  get budget(): number {
+    return this.desired.budget
+  }
+
   /** The number of the present run. */
   get generation(): number {
     return this.present?.reporter.run.generation ?? 0

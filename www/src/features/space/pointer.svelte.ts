@@ -114,7 +114,7 @@ export class PointerController {
       }
     }
     // Of a big tree only some nodes are drawn.
-    return found && { ...found, index: found.index * (lab.frame?.thinning ?? 1) }
+    return found && { ...found, index: found.index * (lab.report?.thinning ?? 1) }
   }
 
   tap(world: World, at: Point, coarse: boolean): void {

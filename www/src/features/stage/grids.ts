@@ -1,10 +1,7 @@
 /* What has to do with grids: loaded with the first of them. */
 export { MovingPointer } from './moving-pointer'
-export { Cells, drawCell } from '../../render/canvas/cells'
-export { drawTubes, own } from '../../render/canvas/driven'
 export { default as DriveTool } from './DriveTool.svelte'
 export { default as GridTools } from './GridTools.svelte'
-export { insideCells } from '../../render/canvas/overlap-cells'
 export { default as MoverCard } from './MoverCard.svelte'
 export { default as MoverKeys } from './MoverKeys.svelte'
 export { grids as text } from '../../locales/en/grids'

@@ -3,11 +3,8 @@ import { moving } from '../../locales/en/moving'
 import { added, aimed, neatly, steered, strideOf, tipOf } from '../../scene/aiming'
 import { type Handle, move, place, same, type Selection } from '../../scene/edits'
 import { lab } from '../../stores/lab.svelte'
-import { keyOf } from '../../render/looks'
-import { drawRobots } from '../../render/canvas/driven'
-import { drawHappenings } from '../../render/canvas/events'
-import { drawMovers, eventAt, hitMoving, placesNow, placesOf } from '../../render/canvas/movers'
-import type { Pen } from '../../render/canvas/pen'
+import { movedTo, pointsOf } from '../../render/anchors'
+import { eventAt, hitMoving } from '../../render/hit-moving'
 import { type Size, toScene, type View } from '../../render/view'
 
 /** How near to an axis, in pixels, an arrow is straight. */
@@ -33,9 +30,9 @@ export class MovingPointer {
 
   constructor(private readonly pointer: Pointer) {}
 
-  /** Where what moves is now, as far as the planner tells. */
+  /** Where what moves is now, as far as the planner says. */
   get now(): Point[] | null {
-    return lab.frame && lab.names ? placesNow(lab.frame, lab.names, lab.moving.length) : null
+    return lab.anchors && movedTo(lab.anchors, lab.moving.length)
   }
 
   /** A drive goes on: what is on its way can't be caught. */
@@ -112,7 +109,7 @@ export class MovingPointer {
       return true
     }
     const events = asked('event')
-    const event = handle === null && events && lab.frame && lab.names ? eventAt(lab.frame, lab.names, view, size, at, coarse) : null
+    const event = handle === null && events && lab.anchors ? eventAt(pointsOf(lab.anchors.event), view, size, at, coarse) : null
     if (!events || event === null) return false
     lab.select(null)
     lab.inspect({ role: events.role, index: event })
@@ -130,29 +127,6 @@ export class MovingPointer {
   aim(right: number, up: number): void {
     const { grid, selection } = lab
     if (grid && selection?.kind === 'moving') lab.press(steered(grid, selection.index, [right, up]))
-  }
-
-  /** Where obstacles begin and how they set out, and what of them is selected; where they are now, if the picture is that of the scene. */
-  draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null, fresh: boolean): void {
-    if (lab.visible.shows(keyOf(lab.layers, 'disc') || 'moving', true))
-      drawMovers(pen, scene, { now: fresh ? this.now : null, quiet: this.rushing, selection: lab.selection, hover, blamed })
-  }
-
-  /** Where something happened. */
-  drawEvents(pen: Pen): void {
-    const { frame, names, planner, outcome } = lab
-    if (!frame || !names || !asked('event')) return
-    drawHappenings(
-      pen,
-      placesOf(frame, names, 'event'),
-      (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone,
-    )
-  }
-
-  /** On top of all, start and goal included. */
-  drawRobot(pen: Pen): void {
-    const { frame, names } = lab
-    if (frame && names) drawRobots(pen, frame, names, (role) => lab.visible.shows(role, true))
   }
 
   /** What a new one needs, in words. */

@@ -11,11 +11,14 @@ async function compile(): Promise<WebAssembly.Module> {
     : WebAssembly.compile(await response.arrayBuffer())
 }
 
+const threads = {
+  run: () => new Worker(new URL('../../engine/host/run.worker.ts', import.meta.url), { type: 'module' }),
+  trial: () => new Worker(new URL('../../engine/host/trial.worker.ts', import.meta.url), { type: 'module' }),
+  render: () => new Worker(new URL('../../render/render.worker.ts', import.meta.url), { type: 'module' }),
+}
+
 /** How the page finds workers and the core: as files next to its own. */
 export const pageHost: Host = {
-  worker: (kind) =>
-    kind === 'run'
-      ? new Worker(new URL('../../engine/host/run.worker.ts', import.meta.url), { type: 'module' })
-      : new Worker(new URL('../../engine/host/trial.worker.ts', import.meta.url), { type: 'module' }),
+  worker: (kind) => threads[kind](),
   core: () => (compiled ??= compile().catch(() => (compiled = undefined))),
 }

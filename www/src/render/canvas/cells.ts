@@ -34,8 +34,7 @@ export class Cells {
   constructor(private readonly changed: () => void) {}
 
   draw(pen: Pen, scene: GridScene, margin: boolean): void {
-    const { context, view, size, palette } = pen
-    const density = devicePixelRatio || 1
+    const { context, view, size, density, palette } = pen
     const what = [
       scene.cell,
       radiusOf(scene),
@@ -51,7 +50,7 @@ export class Cells {
     const painted = this.rows !== scene.rows
     const moved = this.where !== where || painted
     const light = this.pieces <= HEAVY && (!painted || scene.rows.length * columnsOf(scene) <= LARGE)
-    if (this.what !== what || (moved && light)) this.render(pen, scene, margin, density, what, where)
+    if (this.what !== what || (moved && light)) this.render(pen, scene, margin, what, where)
     else if (moved) this.soon()
     if (!this.canvas || !this.place || !this.size) return
     const now = placeOf(scene, view, size)
@@ -82,7 +81,7 @@ export class Cells {
     }, REST)
   }
 
-  private render({ view, size, palette }: Pen, scene: GridScene, margin: boolean, density: number, what: string, where: string): void {
+  private render({ view, size, density, palette }: Pen, scene: GridScene, margin: boolean, what: string, where: string): void {
     Object.assign(this, { what, where, size, rows: scene.rows, pieces: outlineOf(scene.rows).pieces })
     const [width, height] = [Math.max(1, Math.round(size.width * density)), Math.max(1, Math.round(size.height * density))]
     this.canvas ??= new OffscreenCanvas(width, height)

@@ -1,6 +1,7 @@
 import type { Color } from 'forage-lab'
 import type { Names, Style } from '../looks'
-import { type Layers, piecesOf } from './layers'
+import { type Layers, spansOf, verticesOf } from '../frame'
+import { piecesOf } from './layers'
 import type { Pen } from './pen'
 import { beads, hatch, type Piece, tube } from './tubes'
 
@@ -58,8 +59,7 @@ const predicted: Draw = (pen, style, vertices, pieces) => {
 let sheet: OffscreenCanvas | null = null
 
 /** The rim of what is covered by any of them: what is outside of all, cut out of what is a little wider. */
-function rims({ context, size }: Pen, inner: Path2D, outer: Path2D, colour: string): void {
-  const density = devicePixelRatio || 1
+function rims({ context, size, density }: Pen, inner: Path2D, outer: Path2D, colour: string): void {
   const [width, height] = [Math.max(1, Math.round(size.width * density)), Math.max(1, Math.round(size.height * density))]
   sheet ??= new OffscreenCanvas(width, height)
   if (sheet.width !== width || sheet.height !== height) Object.assign(sheet, { width, height })
@@ -144,8 +144,7 @@ const goal: Draw = (pen, style, vertices, pieces) => {
 
 /** The robots of a frame's layers that are on. */
 export function drawRobots(pen: Pen, frame: Layers, names: Names, on: (role: string) => boolean): void {
-  const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
-  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+  const [vertices, spans] = [verticesOf(frame), spansOf(frame)]
   names.layers.forEach(({ role, look }, number) => {
     if (look.glyph === 'robot' && on(role)) robot(pen, look, vertices, piecesOf(spans, number, names.shapes))
   })

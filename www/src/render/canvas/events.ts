@@ -14,9 +14,9 @@ const shapes = Object.entries(TONES).map(([tone, { colour, outline, sign }]) => 
 }))
 
 /** Where something happened or was decided: what calls for attention lies on top, and what is not known yet is plain. */
-export function drawHappenings(pen: Pen, places: readonly Point[], toneOf: (index: number) => Tone | undefined): void {
+export function drawEvents(pen: Pen, places: readonly Point[], known: readonly Tone[]): void {
   const { context, view, size, palette } = pen
-  const tones = places.map((_, index) => toneOf(index) ?? 'plain')
+  const tones = places.map((_, index) => known[index] ?? 'plain')
   context.setLineDash([])
   context.lineJoin = context.lineCap = 'round'
   for (const { tone, colour, outline, sign } of shapes) {

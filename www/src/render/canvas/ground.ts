@@ -1,6 +1,7 @@
 import type { DiscsScene, Scene } from 'forage-lab'
 import { discOf, ends, type Handle, place, type Plane, same, type Selection } from '../../scene/edits'
-import type { Pen } from './pen'
+import type { Display } from '../display'
+import type { Context, Pen } from './pen'
 import { type Box, extent, tick, toScene, toScreen } from '../view'
 
 export const HANDLE = 7
@@ -8,7 +9,8 @@ export const HANDLE = 7
 export const FONT = '11px Inter, "Segoe UI", system-ui, sans-serif'
 
 /** Lines and numbers of the plane, and the edge of where things happen. */
-export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, lines: boolean): void {
+export function drawGrid(pen: Pen, scene: Scene, lines: boolean): void {
+  const { context, view, size, palette } = pen
   // Places that are made up have no coordinates.
   if (scene.kind === 'tour' && !scene.points?.length) return
   const [left, top] = toScene(view, size, [0, 0])
@@ -31,7 +33,7 @@ export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, li
     for (const [, y] of rows) context.rect(-1, y, size.width + 2, 0)
     context.stroke()
   }
-  frameOf({ context, view, size, palette }, extent(scene))
+  frameOf(pen, extent(scene))
   context.fillStyle = palette.get('--ink-2')
   context.textAlign = 'center'
   context.textBaseline = 'bottom'
@@ -43,7 +45,7 @@ export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, li
 }
 
 /** Text on a ground of its own. */
-export function plate(context: CanvasRenderingContext2D, ground: string, text: string, x: number, y: number): void {
+export function plate(context: Context, ground: string, text: string, x: number, y: number): void {
   const ink = context.fillStyle
   context.lineWidth = 3
   context.strokeStyle = ground
@@ -87,16 +89,11 @@ export function drawDiscs(pen: Pen, { discs }: DiscsScene, blamed: Selection | n
 /** The room that a label needs, in pixels, with the column of tools beside it. */
 const LABEL = 104
 
+/** What of a scene is meant. */
+type Meant = Pick<Display, 'touring' | 'selection' | 'hover' | 'blamed' | 'words'>
+
 /** Start, goal, and what of them and of the discs is selected or under the pointer. */
-export function drawEnds(
-  pen: Pen,
-  scene: Plane,
-  touring: boolean,
-  selection: Selection | null,
-  hover: Handle | null,
-  blamed: Selection | null,
-  names: { start: string; goal: string },
-): void {
+export function drawEnds(pen: Pen, scene: Plane, { touring, selection, hover, blamed, words }: Meant): void {
   const { context, view, size, palette } = pen
   context.setLineDash([])
   // A tour has no ends of its own, and its stops may lie there.
@@ -125,7 +122,7 @@ export function drawEnds(
     const leftwards = x > size.width - LABEL || (otherX > x && x > 64)
     const below = !leftwards && otherX > x && otherY < y
     context.textAlign = leftwards ? 'right' : 'left'
-    plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y + (below ? 14 : -12))
+    plate(context, palette.get('--stage'), words[kind], x + (leftwards ? -13 : 13), y + (below ? 14 : -12))
   }
   if (isRinged(hover)) ring(pen, scene, hover, palette.get('--line-strong'))
   if (isRinged(selection)) ring(pen, scene, selection, palette.get('--focus'))

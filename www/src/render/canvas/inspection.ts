@@ -1,17 +1,18 @@
-import type { Inspection, Look, Point } from 'forage-lab'
+import type { Point } from 'forage-lab'
+import type { Detail } from '../display'
 import { closer } from '../looks'
 import { drawPath } from './layers'
-import { applyStyle, isMarked, marked, type Pen } from './pen'
+import { applyStyle, type Context, isMarked, marked, type Pen } from './pen'
 import { toScreen } from '../view'
 
 /** So many marks are small. */
 export const [MANY, SMALL] = [60, 13]
 
 /** The arrows and marks of what was picked. */
-export function drawInspection(pen: Pen, { layers }: Inspection, lookOf: (key: string) => Look): void {
+export function drawInspection(pen: Pen, details: readonly Detail[]): void {
   const { context, view, size } = pen
-  for (const { role, shape, vertices } of [...layers].sort((a, b) => lookOf(a.role).order - lookOf(b.role).order)) {
-    const style = closer(lookOf(role))
+  for (const { look, shape, vertices } of [...details].sort((a, b) => a.look.order - b.look.order)) {
+    const style = closer(look)
     applyStyle(pen, style)
     context.globalAlpha = style.opacity[0]
     if (shape === 'polyline') drawPath(pen, vertices, style)
@@ -39,7 +40,7 @@ export function drawInspection(pen: Pen, { layers }: Inspection, lookOf: (key: s
 
 const HEAD = 7
 
-export function arrow(context: CanvasRenderingContext2D, [x0, y0]: Point, [x1, y1]: Point): void {
+export function arrow(context: Context, [x0, y0]: Point, [x1, y1]: Point): void {
   const length = Math.hypot(x1 - x0, y1 - y0)
   if (length < 0.5) return
   context.beginPath()

@@ -1,14 +1,11 @@
 import type { GridScene, Layer, Point, Scene } from 'forage-lab'
 import { lookBeside, type Names, resultOf, type Style } from '../looks'
 import { stopsOf } from '../../scene/stops'
-import type { FrameBuffer } from '../frame'
+import { type Layers, spansOf, verticesOf } from '../frame'
 import { applyStyle, Lines, type Pen, points } from './pen'
 import type { Piece } from './tubes'
 import { type Flat, toScreen } from '../view'
 import { insideDiscs } from './overlap'
-
-/** What of a frame is drawn. */
-export type Layers = Pick<FrameBuffer, 'buffer' | 'vertices' | 'spans'>
 
 type Draw = (pen: Pen, style: Style, vertices: Float32Array, pieces: readonly Piece[]) => void
 
@@ -23,8 +20,7 @@ interface More {
 
 /** Draws a frame's layers that are on, in the order of their looks. */
 export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: string) => boolean, scene: Scene, more: More): void {
-  const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
-  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+  const [vertices, spans] = [verticesOf(frame), spansOf(frame)]
   // Stops are drawn with the scene.
   const shown = layersIn(spans, names)
     .filter(([, { role, look }]) => look.glyph !== 'number' && on(role))
@@ -68,8 +64,7 @@ export function piecesOf(spans: Uint32Array, layer: number, shapes: readonly str
 
 /** Whether anything that is only drawn from near is in the frame. */
 export function isNear(frame: Layers, names: Names, on: (role: string) => boolean): boolean {
-  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
-  return layersIn(spans, names).some(([, { role, look }]) => look.near === true && on(role))
+  return layersIn(spansOf(frame), names).some(([, { role, look }]) => look.near === true && on(role))
 }
 
 function pathOf(vertices: Float32Array, first: number, count: number): Point[] {

@@ -2,11 +2,16 @@ import { rise, type Size, type View } from '../view'
 import type { Palette } from '../palette'
 import type { Style } from '../looks'
 
+/** Of a canvas of the page, or of one that a thread draws. */
+export type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D
+
 /** What drawing needs to know. */
 export interface Pen {
-  context: CanvasRenderingContext2D
+  context: Context
   view: View
   size: Size
+  /** Pixels of the canvas a pixel of the page. */
+  density: number
   palette: Palette
 }
 
@@ -65,7 +70,7 @@ export function points(pen: Pen, style: Style, vertices: Float32Array, first: nu
   context.globalAlpha = 1
 }
 
-function dot(context: CanvasRenderingContext2D, left: number, top: number, radius: number): void {
+function dot(context: Context, left: number, top: number, radius: number): void {
   context.beginPath()
   context.arc(left + radius, top + radius, radius, 0, 2 * Math.PI)
   context.fill()

@@ -1,6 +1,6 @@
 import type { Point } from 'forage-lab'
 import { type Ant, placeAt, type Walk } from '../../scene/steps'
-import type { Pen } from './pen'
+import type { Context, Pen } from './pen'
 import { toScreen } from '../view'
 
 /** The last steps, drawn more clearly. */
@@ -90,7 +90,7 @@ function mark({ context, palette }: Pen, ant: Ant, [x, y]: Point, time: number, 
   context.stroke()
 }
 
-function outlined(context: CanvasRenderingContext2D, colour: string, ground: string): void {
+function outlined(context: Context, colour: string, ground: string): void {
   context.strokeStyle = ground
   context.lineWidth = 4.5
   context.stroke()

@@ -1,9 +1,7 @@
 import type { Scene } from 'forage-lab'
 import { ends, type Handle, same, type Selection } from '../../scene/edits'
-import type { Names } from '../looks'
 import { stopsOf } from '../../scene/stops'
-import type { Layers } from './layers'
-import type { Pen } from './pen'
+import type { Context, Pen } from './pen'
 import { toScreen } from '../view'
 
 /** A disc holds a number of two digits. */
@@ -17,18 +15,6 @@ const MOST = 90
 const ENOUGH = 0.7
 /** More dots than these are smaller. */
 const MANY = 400
-
-/** Each of so many stops' place in the best tour, from 0; `null` while there is none. */
-export function placesOf(frame: Layers, names: Names, count: number): number[] | null {
-  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
-  for (let at = 0; at < spans.length; at += 4) {
-    if (names.layers[spans[at] ?? 0]?.look.glyph !== 'number') continue
-    const vertices = new Float32Array(frame.buffer, (spans[at + 2] ?? 0) * 16, (spans[at + 3] ?? 0) * 4)
-    const places = Array.from({ length: vertices.length / 4 }, (_, stop) => vertices[4 * stop + 3] ?? -1)
-    return places.length === count && places.includes(0) ? places : null
-  }
-  return null
-}
 
 export interface Marks {
   places: readonly number[] | null
@@ -102,7 +88,7 @@ export function drawStops(pen: Pen, scene: Scene, { places, selection, hover, bl
   }
 }
 
-function circle(context: CanvasRenderingContext2D, x: number, y: number, radius: number): void {
+function circle(context: Context, x: number, y: number, radius: number): void {
   context.beginPath()
   context.arc(x, y, radius, 0, 2 * Math.PI)
 }

@@ -1,5 +1,5 @@
 import type { Color } from 'forage-lab'
-import type { Pen } from './pen'
+import type { Context, Pen } from './pen'
 import { rise } from '../view'
 
 /** A piece of a layer: its shape, and which of the frame's vertices are its own. */
@@ -58,8 +58,7 @@ const hatches = new Map<string, CanvasPattern>()
 const PITCH = 7
 
 /** Thin slanting lines of a colour. They lie still on the plane while the view moves. */
-export function hatch({ context, view, size, palette }: Pen, token: string | Color): CanvasPattern | null {
-  const density = devicePixelRatio || 1
+export function hatch({ context, view, size, density, palette }: Pen, token: string | Color): CanvasPattern | null {
   const key = [palette.get(token), density].join()
   const pattern = hatches.get(key) ?? tiled(context, palette.get(token), density)
   if (!pattern) return null
@@ -72,7 +71,7 @@ export function hatch({ context, view, size, palette }: Pen, token: string | Col
   return pattern
 }
 
-function tiled(context: CanvasRenderingContext2D, colour: string, density: number): CanvasPattern | null {
+function tiled(context: Context, colour: string, density: number): CanvasPattern | null {
   const side = Math.round(PITCH * density)
   const tile = new OffscreenCanvas(side, side)
   const ink = tile.getContext('2d')

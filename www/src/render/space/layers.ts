@@ -3,7 +3,7 @@ import type { Layer, Look, Point3 } from 'forage-lab'
 import { piecesOf } from '../canvas/layers'
 import type { Palette } from '../palette'
 import { lookBeside, type Names, PLAIN, resultOf } from '../looks'
-import type { FrameBuffer } from '../frame'
+import { type Layers as Drawing, spansOf, verticesOf } from '../frame'
 import { colourOf } from './colors'
 import { Dots } from './dots'
 import { Strokes, vertices } from './strokes'
@@ -22,12 +22,11 @@ export class Layers {
   private shown = new Set<string>()
 
   /** The frame's numbers are copied: it goes back to the core. */
-  show(frame: FrameBuffer | null, names: Names, exact: { path: readonly Point3[]; look: Look }, on: (role: string) => boolean): void {
+  show(frame: Drawing | null, names: Names, exact: { path: readonly Point3[]; look: Look }, on: (role: string) => boolean): void {
     for (const each of [...this.strokes.values(), ...this.dots.values()]) each.clear()
     this.shown = new Set()
     if (frame) {
-      const numbers = new Float32Array(frame.buffer, 0, frame.vertices)
-      const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+      const [numbers, spans] = [verticesOf(frame), spansOf(frame)]
       for (const [number, layer] of names.layers.entries()) {
         const pieces = piecesOf(spans, number, names.shapes)
         if (pieces.length > 0 && on(layer.role)) this.shown.add(layer.role)

@@ -1,5 +1,5 @@
 import type { ArmScene, Cuboid, DiscsScene, Point, Point3 } from 'forage-lab'
-import type { Layers } from '../canvas/layers'
+import type { Layers } from '../frame'
 import type { Pen } from '../canvas/pen'
 import { toScreen } from '../view'
 

@@ -3,6 +3,9 @@ import { sameScene } from '../../../scene/equality'
 import type { Refusal, Report, Run } from '../../../engine/protocol'
 import { RunClient } from '../../../engine/run-client'
 import { en } from '../../../locales/en/page'
+import { lab } from '../../../stores/lab.svelte'
+import { type Names, namesOf } from '../../../render/looks'
+import { Outlet } from '../../../render/outlet'
 import type { FieldRequest, Viewport } from '../../../render/frame'
 import { markAt } from './standings'
 import { foreseen } from './ticks'
@@ -50,7 +53,12 @@ export class Lane {
   crash = $state('')
 
   run = $state.raw<LaneRun | null>(null)
+  /** What is shown of it; its frame is the renderer's. */
   picture = $state.raw<Report | null>(null)
+  readonly frames = new Outlet((buffer) => this.client.giveBack(buffer))
+  /** Whose run it is: another planner may have been chosen. */
+  readonly runner = $derived(lab.catalogue?.planners.find(({ name }) => name === (this.run?.planner ?? this.planner)))
+  private readonly names = $derived<Names>(lab.catalogue ? namesOf(lab.catalogue, this.runner) : { layers: [], shapes: [] })
   outcome = $state.raw<Outcome | null>(null)
   curve = $state.raw<TrialCurve | null>(null)
   settled = $state.raw<Settled | null>(null)
@@ -132,7 +140,7 @@ export class Lane {
       // A picture of the same state, seen otherwise or with its hash.
       this.show(report)
     } else {
-      this.discard(report)
+      this.frames.pass(report.frame)
     }
   }
 
@@ -166,7 +174,7 @@ export class Lane {
   /** Nothing of another run may pass for this one's. */
   private drop(): void {
     this.formerEnd = this.end
-    this.giveBack()
+    this.frames.clear()
     this.picture = null
     this.outcome = null
     this.curve = null
@@ -192,7 +200,7 @@ export class Lane {
   }
 
   show(picture: Report): void {
-    this.giveBack()
+    if (this.picture !== picture) this.frames.put(picture.frame, this.names)
     this.picture = picture
     if (picture.outcome) this.outcome = picture.outcome
     const { iteration, hash } = picture
@@ -219,16 +227,7 @@ export class Lane {
 
   /** A picture that isn't shown. */
   pass(picture: Report | null): void {
-    if (picture) this.discard(picture)
-  }
-
-  private giveBack(): void {
-    if (this.picture) this.discard(this.picture)
-  }
-
-  private discard({ buffer, fields }: Report): void {
-    for (const { bitmap } of fields) bitmap.close()
-    if (buffer.byteLength > 0) this.client.giveBack(buffer)
+    if (picture) this.frames.pass(picture.frame)
   }
 
   private fail(message: string): void {
@@ -248,7 +247,7 @@ export class Lane {
     this.arrive(null)
     this.onsettled?.()
     this.run = null
-    for (const { bitmap } of this.picture?.fields ?? []) bitmap.close()
+    this.frames.clear()
     this.picture = null
     this.settled = null
   }

@@ -1,0 +1,79 @@
+/* What a renderer is given: what is to be seen, as one state, and the frames of a run. */
+import type { EventKind, Inspection, Look, Point3, Scene } from 'forage-lab'
+import type { Cell } from '../scene/cells'
+import type { Handle, Selection } from '../scene/edits'
+import type { Frame } from './frame'
+import type { Names } from './looks'
+import type { Theme } from './palette'
+import type { Side } from './space/projection'
+import type { Box, Flat, Size, View } from './view'
+
+/** A line over the layers of the frame. */
+export interface Overlay {
+  points: readonly Flat[]
+  look: Look
+}
+
+/** What an inspection draws. */
+export interface Detail extends Pick<Inspection['layers'][number], 'shape' | 'vertices'> {
+  look: Look
+}
+
+/** A picture of all that is seen but the frame's layers. */
+export interface Display {
+  scene: Scene
+  view: View
+  size: Size
+  /** Pixels of the screen a pixel of the page. */
+  density: number
+  theme: Theme
+  /** The frame is one of this scene, or of one of its kind. */
+  fits: boolean
+  /** The picture is not yet that of the scene. */
+  faded: boolean
+  /** The keys of the layers that are not drawn. */
+  hidden: readonly string[]
+  overlays: readonly Overlay[]
+  /** What is looked at closer: all else is faint. */
+  details: readonly Detail[] | null
+  /** The result is followed in a layer above this one. */
+  followed: boolean
+  /** What is looked for is a tour: start and goal mean nothing. */
+  touring: boolean
+  /** The run goes on: what moves is on its way. */
+  playing: boolean
+  /** What calls for attention, by event; null: events are not shown. */
+  tones: readonly EventKind['tone'][] | null
+  selection: Selection | null
+  hover: Handle | null
+  /** The object that the scene is refused for. */
+  blamed: Selection | null
+  /** The cell that is pointed at. */
+  cell: Cell | null
+  /** Labels. */
+  words: { start: string; goal: string }
+  /** An arm's scene is seen from this side, with the arm at home. */
+  space: { side: Side; skeleton: readonly Point3[] } | null
+}
+
+/** The heat map of a function. */
+export interface Ground {
+  bitmap: ImageBitmap
+  box: Box
+}
+
+/** Draws one canvas. What was given last counts. */
+export interface Renderer {
+  show(display: Display): void
+  /** It is the renderer's from now on. */
+  frame(frame: Frame, names: Names): void
+  ground(ground: Ground | null): void
+  dispose(): void
+}
+
+export interface RendererListeners {
+  /** A frame was drawn for the last time. */
+  onreleased(buffer: ArrayBuffer): void
+  /** The first frame was drawn. */
+  ondrawn(): void
+}

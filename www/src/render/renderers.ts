@@ -1,0 +1,119 @@
+import type { Display, Ground, Renderer, RendererListeners } from './display'
+import type { Frame } from './frame'
+import type { Names } from './looks'
+import type { FromRenderer, ToRenderer } from './protocol'
+
+type Unaddressed<M> = M extends unknown ? Omit<M, 'canvas'> : never
+
+/** Draws a canvas in the thread that it is given to. */
+class RemoteRenderer implements Renderer {
+  private shown: Partial<Display> = {}
+  private names: Names | undefined
+
+  constructor(private readonly send: (message: Unaddressed<ToRenderer>, transfer?: Transferable[]) => void) {}
+
+  /** Only what has changed is sent. */
+  show(display: Display): void {
+    const { shown } = this
+    const changed = Object.entries(display).filter(([key, value]) => !(key in shown) || shown[key as keyof Display] !== value)
+    this.shown = display
+    if (changed.length > 0) this.send({ is: 'show', change: Object.fromEntries(changed) })
+  }
+
+  frame(frame: Frame, names: Names): void {
+    const transfer = [frame.buffer, ...frame.fields.map(({ bitmap }) => bitmap)]
+    this.send({ is: 'frame', frame, ...(names !== this.names && { names }) }, transfer)
+    this.names = names
+  }
+
+  ground(ground: Ground | null): void {
+    this.send({ is: 'ground', ground }, ground ? [ground.bitmap] : [])
+  }
+
+  dispose(): void {
+    this.send({ is: 'close' })
+  }
+}
+
+interface Listeners extends RendererListeners {
+  /** The thread broke down and took the canvas along: another one may be opened. */
+  onlost(): void
+}
+
+/** Opens renderers: in one thread for all canvases of a page, or, where there can be none, where the page is. */
+export class Renderers {
+  private worker: Worker | undefined
+  private readonly canvases = new Map<number, { listeners: Listeners; frames: number }>()
+  private opened = 0
+  /** No thread draws here. */
+  private alone = false
+
+  /** `start` starts a thread. */
+  constructor(private readonly start: () => Worker) {}
+
+  /** A renderer of a canvas that nothing else has drawn. */
+  async open(canvas: HTMLCanvasElement, listeners: Listeners): Promise<Renderer> {
+    const worker = 'transferControlToOffscreen' in canvas ? this.thread() : undefined
+    if (!worker) {
+      const { CanvasRenderer } = await import('./canvas/renderer')
+      return new CanvasRenderer(canvas, listeners)
+    }
+    this.opened += 1
+    const number = this.opened
+    const opened = { listeners, frames: 0 }
+    this.canvases.set(number, opened)
+    const send = (message: Unaddressed<ToRenderer>, transfer: Transferable[] = []): void => {
+      const isFrame = message.is === 'frame'
+      if (worker !== this.worker) {
+        if (isFrame) listeners.onreleased(message.frame.buffer)
+        return
+      }
+      if (isFrame) opened.frames += 1
+      worker.postMessage({ ...message, canvas: number }, transfer)
+    }
+    const element = canvas.transferControlToOffscreen()
+    send({ is: 'open', element }, [element])
+    return new RemoteRenderer(send)
+  }
+
+  private thread(): Worker | undefined {
+    if (this.worker || this.alone) return this.worker
+    try {
+      this.worker = this.start()
+    } catch {
+      this.alone = true
+      return undefined
+    }
+    this.worker.onmessage = ({ data }: MessageEvent<FromRenderer>) => this.receive(data)
+    this.worker.onerror = (event) => {
+      event.preventDefault()
+      this.lose()
+    }
+    return this.worker
+  }
+
+  private receive(message: FromRenderer): void {
+    const opened = this.canvases.get(message.canvas)
+    if (!opened) return
+    if (message.is === 'closed') this.canvases.delete(message.canvas)
+    else if (message.is === 'drawn') opened.listeners.ondrawn()
+    else {
+      opened.frames -= 1
+      opened.listeners.onreleased(message.buffer)
+    }
+  }
+
+  /** What broke down once is not started again. */
+  private lose(): void {
+    this.alone = true
+    this.worker?.terminate()
+    this.worker = undefined
+    const lost = [...this.canvases.values()]
+    this.canvases.clear()
+    for (const { listeners, frames } of lost) {
+      // Their buffers are gone; runs wait for as many.
+      for (let frame = 0; frame < frames; frame += 1) listeners.onreleased(new ArrayBuffer(0))
+      listeners.onlost()
+    }
+  }
+}
