@@ -1,6 +1,6 @@
 import { gzipSync } from 'node:zlib'
 import type { Response } from '@playwright/test'
-import { hashOf } from './support/core'
+import { hashOf, linkTo } from './support/core'
 import { en, expect, test } from './support/lab'
 
 test('opens and plays by itself, nothing to configure', { tag: '@smoke' }, async ({ lab }) => {
