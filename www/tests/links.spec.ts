@@ -63,3 +63,43 @@ test('the link can be copied', async ({ lab, page, context }) => {
   await expect(page.getByText(en.bar.copied)).toBeVisible()
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(SITE + link)
 })
+
+test('a view has an address that outlasts a reload, and the browser goes back to the run', async ({ lab, page }) => {
+  await lab.open(linkTo({ seed: 7 }, 30))
+  const hash = await lab.settled(30)
+  await page.getByTestId('view-race').click()
+  await expect(page).toHaveURL(/#view=race$/)
+  await expect(page.getByTestId('race')).toBeVisible()
+  await page.getByTestId('view-papers').click()
+  await page.goBack()
+  await expect(page.getByTestId('race')).toBeVisible()
+  await page.goBack()
+  expect(await lab.settled(30)).toBe(hash)
+  await expect(lab.stage).toBeVisible()
+  await page.goForward()
+  await expect(page.getByTestId('race')).toBeVisible()
+
+  await page.reload()
+  await expect(lab.root).toHaveAttribute('data-phase', 'ready')
+  await expect(page.getByTestId('race')).toHaveAttribute('data-still', 'true')
+  // The run behind it is there by now, with a link of its own.
+  await lab.settled()
+  await expect(page).toHaveURL(/#view=race$/)
+  await page.goBack()
+  expect(await lab.settled(30)).toBe(hash)
+})
+
+test('back from a link leads to the run of before', async ({ lab, page }) => {
+  await lab.open(linkTo({ seed: 7 }, 30))
+  const first = await lab.settled(30)
+  await lab.link(first)
+  await page.evaluate((link) => {
+    location.hash = link
+  }, linkTo({ seed: 8 }, 20))
+  const second = await lab.settled(20)
+  await lab.link(second)
+  await page.goBack()
+  expect(await lab.settled(30)).toBe(first)
+  await page.goForward()
+  expect(await lab.settled(20)).toBe(second)
+})

@@ -4,7 +4,6 @@ import type { Refusal, Report, Run } from '../engine/protocol'
 import { RunClient } from '../engine/run-client'
 import { type Anchors, anchorsOf } from '../render/anchors'
 import { Outlet } from '../render/outlet'
-import { address } from './address'
 import { layersOf, meaningful, met } from '../catalogue/parameters'
 import type { Clock } from './clock.svelte'
 import { readCatalogue } from './catalogue'
@@ -19,7 +18,7 @@ import { suits } from '../scene/stops'
 import { Suggested } from './suggested.svelte'
 import { stillness } from './theme.svelte'
 import { type Opening, worded } from './transport.svelte'
-import { views } from './views.svelte'
+import { route } from './route.svelte'
 import { Visible } from './layers.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
@@ -156,8 +155,8 @@ export class Lab extends Inspecting {
 
   /** The run of the address, or the one that the page begins with. */
   private async openFirst(): Promise<void> {
-    const opened = location.hash.length > 1 && !views.named(location.hash) && (await this.openLink(location.hash))
-    if (!opened) this.restart({ at: 0, play: views.current === 'stage' && !stillness.matches })
+    const opened = route.first !== null && (await this.openLink(route.first))
+    if (!opened) this.restart({ at: 0, play: route.view === 'stage' && !stillness.matches })
   }
 
   /** The thread is there. */
@@ -294,7 +293,7 @@ export class Lab extends Inspecting {
     this.showReport(report)
     if (report.outcome) this.outcome = report.outcome
     if (this.restarting || !this.client.follows(report)) return
-    if (report.link !== null) address[report.hash === null ? 'soon' : 'now'](report.link)
+    if (report.link !== null) route.write(report.link, report.hash === null ? 'soon' : 'now')
     if (report.hash === null) return
     this.underway = null
     this.followers.heed(report)

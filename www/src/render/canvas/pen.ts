@@ -1,5 +1,6 @@
 import { rise, type Size, type View } from '../view'
 import type { Palette } from '../palette'
+import { squares } from './dots'
 import type { Style } from '../looks'
 
 /** Of a canvas of the page, or of one that a thread draws. */
@@ -22,7 +23,7 @@ const HAIR = 1
 /** Lines are drawn as far beyond the rim, in pixels, as the widest is wide. */
 const RIM = 10
 const FAINTEST_POINT = 0.65
-/** Up to so many points are drawn round; more are squares, which cost a tenth. */
+/** Up to so many points are drawn round; more are squares, written into pixels. */
 const ROUND = 3000
 
 const stepOf = (weight: number): number => Math.min(STEPS - 1, Math.max(0, Math.floor(weight * STEPS)))
@@ -56,15 +57,17 @@ export function points(pen: Pen, style: Style, vertices: Float32Array, first: nu
       marked(pen, style, left + style.point / 2 + (vertices[at] ?? 0) * scale, top + style.point / 2 - (vertices[at + 1] ?? 0) * up)
     return
   }
-  const round = count <= ROUND
+  // A point has less ink than a line.
+  const opacities = Array.from({ length: STEPS }, (_, step) => Math.max(FAINTEST_POINT, alphaAt(style, step)))
+  if (count > ROUND) {
+    squares(pen, style.point, opacities, vertices.subarray(4 * first, end))
+    return
+  }
   for (let step = STEPS - 1; step >= 0; step -= 1) {
-    // A point has less ink than a line.
-    context.globalAlpha = Math.max(FAINTEST_POINT, alphaAt(style, step))
+    context.globalAlpha = opacities[step] ?? 1
     for (let at = first * 4; at < end; at += 4) {
-      if (stepOf(vertices[at + 3] ?? 0) !== step) continue
-      const [x, y] = [left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * up]
-      if (round) dot(context, x, y, style.point / 2)
-      else context.fillRect(x, y, style.point, style.point)
+      if (stepOf(vertices[at + 3] ?? 0) === step)
+        dot(context, left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * up, style.point / 2)
     }
   }
   context.globalAlpha = 1

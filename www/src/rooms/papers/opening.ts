@@ -1,14 +1,14 @@
 import { tick } from 'svelte'
 import { lab } from '../../stores/lab.svelte'
 import { proposed } from '../../stores/proposed.svelte'
-import { type View, views } from '../../stores/views.svelte'
+import { route, type View } from '../../stores/route.svelte'
 import type { Case, Run } from './cases'
 
 const RACERS = { least: 2, most: 4 } as const
 
 /** What was pressed is gone with its view: whoever uses the keyboard goes on from the name of the new one. */
 async function show(view: View): Promise<void> {
-  views.current = view
+  route.go(view)
   await tick()
   document.querySelector<HTMLElement>('nav [aria-current="page"]')?.focus()
 }

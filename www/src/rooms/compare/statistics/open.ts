@@ -1,11 +1,11 @@
 import { lab } from '../../../stores/lab.svelte'
-import { views } from '../../../stores/views.svelte'
+import { route } from '../../../stores/route.svelte'
 import type { Run } from './shown'
 import { looks } from './looks.svelte'
 
 /** Exactly this run, where it ended, on the stage. */
 export function openRun(run: Run, returns = false): Promise<boolean> {
   if (returns) looks.opened = run.row.link
-  views.current = 'stage'
+  route.go('stage')
   return lab.openLink(run.row.link)
 }

@@ -5,7 +5,7 @@ import { lab } from '../../../stores/lab.svelte'
 import type { ProposedRace } from '../../../stores/proposed.svelte'
 import { sameScene } from '../../../scene/equality'
 import { stillness } from '../../../stores/theme.svelte'
-import { views } from '../../../stores/views.svelte'
+import { route } from '../../../stores/route.svelte'
 import type { Size, View } from '../../../render/view'
 import { Lane, type Started } from './lane.svelte'
 import type { Entry, Ready } from './presets'
@@ -245,7 +245,7 @@ class Race extends Times {
     this.pause()
     const link = await lane.link()
     if (!link.ok) return
-    views.current = 'stage'
+    route.go('stage')
     await lab.openLink(link.value)
   }
 }

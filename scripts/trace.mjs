@@ -1,0 +1,144 @@
+// Called by scripts/trace: plays large runs in the built page and reads the browser's own trace.
+import { createRequire } from 'node:module'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { parseArgs } from 'node:util'
+import { generateScene, Session } from '../pkg/node.js'
+import { FLAGS } from '../www/tests/support/chromium.mjs'
+import { staticHost } from '../www/tests/support/static.mjs'
+
+const BUSY_MS = 4
+const ANSWER_MS = 100
+/** The stage of a laptop. */
+const VIEWPORT = { width: 1440, height: 900 }
+/** A line that grows is measured once it is long. */
+const TREE = 50_000
+
+const open = { columns: 512, rows: 512, cell: 1, share: 0.2, stops: 0, moving: 0 }
+
+/** What is played, from an iteration on; `pictures`: how many a second there must be. */
+const CASES = {
+  particles: { setup: { planner: 'pso', scene: 'ackley', params: { population: 100_000 } }, pictures: 30 },
+  colony: { setup: { planner: 'aco', scene: generateScene('random', open, 1), params: { ants: 100 } }, pictures: 0 },
+  tree: { setup: { planner: 'rrt-star', scene: 'wcpso-discs', params: { iterations: 1.4 * TREE } }, at: 1.2 * TREE, pictures: 0 },
+}
+
+const root = fileURLToPath(new URL('..', import.meta.url))
+const { chromium } = createRequire(join(root, 'www/package.json'))('playwright-core')
+const { values, positionals } = parseArgs({ options: { seconds: { type: 'string', default: '5' } }, allowPositionals: true })
+const seconds = Number(values.seconds)
+const unknown = positionals.find((name) => !(name in CASES))
+if (unknown || !(seconds > 0)) {
+  console.error(
+    unknown ? `case ${unknown}: there are ${Object.keys(CASES).join(', ')}.` : `--seconds is ${values.seconds}; it must be more than 0.`,
+  )
+  process.exit(2)
+}
+
+const server = staticHost(join(root, 'www/dist'), '/')
+await new Promise((listening) => server.listen(0, '127.0.0.1', listening))
+const site = `http://127.0.0.1:${server.address().port}/`
+
+const linkTo = ({ setup, at = 0 }) => {
+  const session = new Session({ seed: 1, ...setup })
+  session.seek(at)
+  const link = session.link()
+  session.free()
+  return link
+}
+
+const quantile = (sorted, share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? NaN
+
+/** Reads a trace: how long the page's main thread was busy, in milliseconds, and when pictures were drawn. */
+function read(trace, from, to) {
+  const names = new Map(trace.filter(({ name }) => name === 'thread_name').map(({ pid, tid, args }) => [`${pid} ${tid}`, args.name]))
+  const within = trace.filter(({ ts, dur = 0 }) => ts >= from && ts + dur <= to)
+  const threadOf = ({ pid, tid }) => names.get(`${pid} ${tid}`) ?? ''
+  const drawn = within.filter((event) => event.name === 'FireAnimationFrame' && threadOf(event).startsWith('DedicatedWorker'))
+  const page = drawn[0]?.pid
+  const tasks = within.filter((event) => event.name === 'RunTask' && event.pid === page && threadOf(event) === 'CrRendererMain')
+  const times = drawn.map(({ ts }) => ts / 1000).sort((a, b) => a - b)
+  const gaps = times
+    .slice(1)
+    .map((time, at) => time - times[at])
+    .sort((a, b) => a - b)
+  return {
+    pictures: times.length,
+    busy: tasks.reduce((sum, { dur = 0 }) => sum + dur, 0) / 1000,
+    longest: tasks.reduce((most, { dur = 0 }) => Math.max(most, dur), 0) / 1000,
+    intervals: [0.5, 0.95, 1].map((share) => quantile(gaps, share)),
+  }
+}
+
+async function measure(name, browser) {
+  const context = await browser.newContext({ viewport: VIEWPORT })
+  const page = await context.newPage()
+  await page.goto(site + linkTo(CASES[name]))
+  await page.locator('[data-testid=app][data-hash]:not([data-hash=""])').waitFor({ timeout: 120_000 })
+  await page.getByTestId('speed').selectOption('Infinity')
+  await page.getByTestId('play').click()
+  await page.waitForTimeout(500)
+  await browser.startTracing(page, {
+    categories: ['devtools.timeline', 'disabled-by-default-devtools.timeline', 'toplevel', '__metadata'],
+  })
+  await page.evaluate(
+    (ms) => new Promise((passed) => setTimeout(() => passed(console.timeStamp('end')), ms, console.timeStamp('begin'))),
+    seconds * 1000,
+  )
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString())
+  const stamp = (message) => traceEvents.find((event) => event.name === 'TimeStamp' && event.args.data.message === message)?.ts
+  const found = read(traceEvents, stamp('begin'), stamp('end'))
+  // The time until what a key does is on the screen.
+  await page.getByTestId('stage').focus()
+  await page.evaluate(() => {
+    window.answers = []
+    new PerformanceObserver((list) => {
+      for (const { name, duration } of list.getEntries()) if (name === 'keydown') window.answers.push(duration)
+    }).observe({ type: 'event', durationThreshold: 16 })
+  })
+  for (const key of ['+', '-', 'ArrowLeft', 'ArrowRight', '+', '0']) {
+    await page.keyboard.press(key)
+    await page.waitForTimeout(150)
+  }
+  await page.waitForTimeout(300)
+  found.answer = Math.max(16, ...(await page.evaluate(() => window.answers)))
+  await context.close()
+  return found
+}
+
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: FLAGS })
+const card = await browser.newPage().then((page) =>
+  page.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl')
+    const info = gl?.getExtension('WEBGL_debug_renderer_info')
+    return info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : 'none'
+  }),
+)
+console.log(`Chromium ${browser.version()}; drawn by ${card}; ${VIEWPORT.width} x ${VIEWPORT.height}, ${seconds} s each`)
+console.log('case        pictures/s   interval ms (median, 95 %, longest)   main thread ms/picture (longest task)   key answered ms')
+let failed = false
+for (const name of positionals.length > 0 ? positionals : Object.keys(CASES)) {
+  const { pictures, intervals, busy, longest, answer } = await measure(name, browser)
+  const each = busy / Math.max(1, pictures)
+  const row = [
+    name.padEnd(10),
+    (pictures / seconds).toFixed(1).padStart(12),
+    intervals
+      .map((ms) => ms.toFixed(0))
+      .join(', ')
+      .padStart(38),
+    `${each.toFixed(2)} (${longest.toFixed(1)})`.padStart(40),
+    answer.toFixed(0).padStart(17),
+  ]
+  console.log(row.join(''))
+  const wrong = [
+    pictures / seconds < CASES[name].pictures && `fewer than ${CASES[name].pictures} pictures a second`,
+    each > BUSY_MS && `the main thread is busy for more than ${BUSY_MS} ms a picture`,
+    answer > ANSWER_MS && `a key is answered after more than ${ANSWER_MS} ms`,
+  ].filter(Boolean)
+  for (const what of wrong) console.error(`${name}: ${what}`)
+  failed ||= wrong.length > 0
+}
+await browser.close()
+server.close()
+process.exit(failed ? 1 : 0)
