@@ -93,9 +93,12 @@ test('back from a link leads to the run of before', async ({ lab, page }) => {
   await lab.open(linkTo({ seed: 7 }, 30))
   const first = await lab.settled(30)
   await lab.link(first)
-  await page.evaluate((link) => {
-    location.hash = link
-  }, linkTo({ seed: 8 }, 20))
+  await page.evaluate(
+    (link) => {
+      location.hash = link
+    },
+    linkTo({ seed: 8 }, 20),
+  )
   const second = await lab.settled(20)
   await lab.link(second)
   await page.goBack()

@@ -136,23 +136,27 @@ export interface Furthest {
   tail: boolean
 }
 
-/** The state of a run, with its frame. */
-export interface Report {
-  is: 'report'
-  /** The newest change that it follows. */
-  version: number
+/** What is drawn of a run at an iteration. */
+export interface Picture {
   generation: number
-  /** In the first report of a run. */
-  run: Run | null
   /** Who drew the frame: the span table counts this planner's layers. */
   planner: string
   iteration: number
+  frame: Frame
+}
+
+/** The state of a run, with its picture. On its way there are more pictures than reports. */
+export interface Report extends Picture {
+  is: 'report'
+  /** The newest change that it follows. */
+  version: number
+  /** In the first report of a run. */
+  run: Run | null
   evaluations: number
   furthest: Furthest
   status: Status
   playing: boolean
   readings: Record<string, number>
-  frame: Frame
   /** Where there are too many pieces, one of so many is drawn. */
   thinning: number
   /** The smallest and the largest value of each field that is shown. */
@@ -196,6 +200,7 @@ export interface Question {
   given: unknown[]
 }
 
+/** Messages without a receipt have the number 0. */
 export type ToHost = { number: number } & (
   | { is: 'open'; core: WebAssembly.Module | undefined }
   | { is: 'want'; version: number; change: Partial<Desired> }
@@ -213,6 +218,7 @@ export type FromHost =
   | { is: 'accepted'; version: number }
   | { is: 'refused'; version: number; refusal: Refusal }
   | Report
+  | ({ is: 'picture' } & Picture)
   | Progress
   /** Runs of other planners that the next step needs; none: those that were asked for are not needed any more. */
   | { is: 'subtasks'; id: number; generation: number; step: number; planner: string; scene: Scene; tasks: Job[] }

@@ -4,6 +4,7 @@ import {
   DEFAULTS,
   type Desired,
   type FromHost,
+  type Picture,
   type Progress,
   type Refusal,
   type Report,
@@ -21,6 +22,8 @@ export class Gone extends Error {
 
 export interface Listeners {
   onreport(report: Report): void
+  /** Between reports. */
+  onpicture?(picture: Picture): void
   /** The setup of a start that is to be checked is accepted. */
   onaccepted?(version: number): void
   /** A start was refused; the run of before stays. `version`: the number of the change that wanted it. */
@@ -165,8 +168,9 @@ export class RunClient {
     asked.number = this.post({ is: 'ask', question: { name: asked.name, given: asked.given } })
   }
 
+  /** Needs no receipt: a frame comes for it. */
   giveBack(buffer: ArrayBuffer): void {
-    this.post({ is: 'buffer', buffer }, [buffer])
+    if (this.opened) this.worker?.postMessage({ is: 'buffer', number: 0, buffer } satisfies ToHost, [buffer])
   }
 
   /** Ends the thread; what is wanted is kept for the next one. */
@@ -184,7 +188,7 @@ export class RunClient {
     this.sent += 1
     if (this.worker && this.opened) {
       this.worker.postMessage({ ...message, number: this.sent }, transfers)
-      if (message.is !== 'buffer') this.watchdog.expect()
+      this.watchdog.expect()
     }
     return this.sent
   }
@@ -213,6 +217,10 @@ export class RunClient {
         break
       case 'report':
         this.report(message)
+        break
+      case 'picture':
+        if (this.listeners.onpicture) this.listeners.onpicture(message)
+        else this.giveBack(message.frame.buffer)
         break
       case 'accepted':
         this.listeners.onaccepted?.(message.version)

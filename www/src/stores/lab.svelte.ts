@@ -1,6 +1,6 @@
 import type { Catalogue, Layer, LinkSetup, Look, Outcome, ParameterValue, Planner, Scene, UncheckedSetup, Status, When } from 'forage-lab'
 import { en } from '../locales/en/page'
-import type { Refusal, Report, Run } from '../engine/protocol'
+import type { Picture, Progress, Refusal, Report, Run } from '../engine/protocol'
 import { RunClient } from '../engine/run-client'
 import { type Anchors, anchorsOf } from '../render/anchors'
 import { Outlet } from '../render/outlet'
@@ -106,9 +106,10 @@ export class Lab extends Inspecting {
   protected readonly client = new RunClient({
     onopen: () => this.receiveOpen(),
     onreport: (report) => this.receive(report),
+    onpicture: (picture) => this.pass(picture),
     onaccepted: (version) => this.takeParameters(version),
     onrefused: (refusal, version) => this.refuse(worded(refusal), version),
-    onprogress: (progress) => (this.underway = progress?.generation === this.run?.generation ? progress : null),
+    onprogress: (progress) => this.receiveProgress(progress),
     onbroken: (message) => this.breakDown(message),
     onreplaced: () => this.leaveThread('loading'),
   })
@@ -300,8 +301,14 @@ export class Lab extends Inspecting {
     this.compare(report)
   }
 
+  private receiveProgress(progress: Progress | null): void {
+    this.underway = progress?.generation === this.run?.generation ? progress : null
+    // Pictures may be ahead of reports.
+    if (this.underway) this.iteration = this.underway.step - 1
+  }
+
   /** The frame goes to whom it is drawn by. */
-  private pass({ frame }: Report): void {
+  private pass({ frame }: Picture): void {
     const { names } = this
     if (!names) return
     this.anchors = anchorsOf(frame, names)

@@ -4,7 +4,7 @@ export type View = (typeof VIEWS)[number]
 
 const PREFIX = '#view='
 /** While a run plays, its link is written seldom, in milliseconds. Browsers count how often an address changes: a burst of edits is written once. */
-const INTERVAL = 1000
+const INTERVAL = 3000
 const LEAST = 300
 
 /** The view that an address is of: `#view=batch`. Others are links of runs. */

@@ -1,6 +1,6 @@
 import { type Session, shapes } from 'forage-lab/core'
 import type { RunEvent, TrialCurve } from 'forage-lab'
-import type { Desired, Report, Run, Span } from '../protocol'
+import type { Desired, Picture, Report, Run, Span } from '../protocol'
 import type { Buffers } from './buffers'
 import { spanOf } from './extent'
 import { fieldsOf } from './fields'
@@ -40,7 +40,7 @@ export class Reporter {
     this.span = run.span
   }
 
-  /** Whether there is a buffer for another report. */
+  /** Whether there is a buffer for another picture. */
   get ready(): boolean {
     return this.buffers.ready
   }
@@ -56,7 +56,7 @@ export class Reporter {
   }
 
   report(desired: Desired, state: Pick<Report, 'version' | 'playing' | 'arrived' | 'furthest'>): Report {
-    const { session, run } = this
+    const { session } = this
     const rare = this.rare(state.arrived && desired.summary, desired.links)
     const readings = session.readings()
     const trace = session.trace(this.traced)
@@ -66,26 +66,20 @@ export class Reporter {
     const inspection = desired.item ? session.inspect(desired.item) : null
     const members = this.members(desired.members, state.arrived)
     const curve = desired.clock === 'evaluations' ? this.newCurve() : null
-    const { iteration, evaluations, status } = session
-    // The views last until the next call: nothing of the core may come between here and the copy.
-    const { vertices, spans, thinning } = session.frame(desired.budget)
-    const packed = pack(vertices, spans, FIELD, (bytes) => this.buffers.take(bytes))
-    const fields = fieldsOf(session, desired.viewport.fields)
+    const { evaluations, status } = session
+    const { thinning, ...picture } = this.draw(desired)
     const { fresh } = this
     this.fresh = null
     return {
       is: 'report',
       ...state,
-      generation: run.generation,
+      ...picture,
       run: fresh,
-      planner: run.planner,
-      iteration,
       evaluations,
       status,
       readings,
-      frame: { ...packed, fields },
       thinning,
-      ranges: Object.fromEntries(fields.map(({ role, range }) => [role, range])),
+      ranges: Object.fromEntries(picture.frame.fields.map(({ role, range }) => [role, range])),
       trace,
       events,
       span,
@@ -96,8 +90,24 @@ export class Reporter {
     }
   }
 
-  /** What travels with a report instead of being copied. */
-  static transfers({ frame, members }: Report): Transferable[] {
+  /** The picture alone. */
+  picture(desired: Desired): Picture {
+    const { thinning: _, ...picture } = this.draw(desired)
+    return picture
+  }
+
+  private draw({ budget, viewport }: Desired): Picture & { thinning: number } {
+    const { session, run } = this
+    const { iteration } = session
+    // The views last until the next call: nothing of the core may come between here and the copy.
+    const { vertices, spans, thinning } = session.frame(budget)
+    const packed = pack(vertices, spans, FIELD, (bytes) => this.buffers.take(bytes))
+    const fields = fieldsOf(session, viewport.fields)
+    return { generation: run.generation, planner: run.planner, iteration, thinning, frame: { ...packed, fields } }
+  }
+
+  /** What travels with a picture instead of being copied. */
+  static transfers({ frame, members = null }: Picture & { members?: Float64Array | null }): Transferable[] {
     return [frame.buffer, ...(members ? [members.buffer as ArrayBuffer] : []), ...frame.fields.map(({ bitmap }) => bitmap)]
   }
 

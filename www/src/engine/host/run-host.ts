@@ -10,6 +10,9 @@ import { Reporter } from './reporter'
 import { words } from './rest'
 
 const FRAME_INTERVAL = 1000 / 60
+/** A run that plays faster than so many iterations a second is reported so often, in milliseconds: numbers that change faster cannot be read. */
+const LEGIBLE = 30
+const REPORT_INTERVAL = 200
 /** A step that takes longer than this is reported as long, in milliseconds. */
 const LONG = 400
 /** After a pause of the machine that is longer than so many milliseconds a run goes on from there instead of catching up. */
@@ -48,9 +51,12 @@ export class RunHost {
   private awake = false
   private wakeUp = (): void => undefined
   private readonly buffers = new Buffers(3)
-  /** The picture that was sent last is not that of what is wanted. */
+  /** There is a state that was not shown. */
   private stale = false
+  /** More has changed than where the run is: that is reported at once. */
+  private news = true
   private lastFrame = 0
+  private lastReport = 0
   /** When the next step is due. */
   private due = 0
   /** It was reported that a step takes long. */
@@ -132,7 +138,7 @@ export class RunHost {
   /** The same state is reported once more. */
   private refresh(): void {
     this.settled = false
-    this.stale = true
+    this.stale = this.news = true
     this.wake()
   }
 
@@ -223,7 +229,7 @@ export class RunHost {
     this.lookAt()
     if (this.versions.item < version) this.desired.item = null
     this.head(this.desired.target ?? start)
-    this.stale = true
+    this.stale = this.news = true
   }
 
   private presented(start: Start, session: Session, generation: number): Present {
@@ -274,7 +280,7 @@ export class RunHost {
     const { session, places } = this.present
     if (known === null ? places.isFurthest : session.iteration === known && !session.partly) return
     session.rewind(known ?? places.report.iteration)
-    this.stale = true
+    this.stale = this.news = true
   }
 
   /** Plays for a while, or ends a step that has begun. */
@@ -351,6 +357,7 @@ export class RunHost {
     this.send({ is: 'subtasks', id, ...this.nextStep, planner: run.planner, scene: run.scene, tasks })
     this.waits = true
     // What there is must be seen while it waits.
+    this.news = true
     if (this.stale) this.picture()
     return new Promise((resolve) => {
       this.subtasks = {
@@ -388,7 +395,7 @@ export class RunHost {
     if (version !== this.version || !this.reached) return false
     if (this.target.play) this.target = { play: false }
     this.settled = true
-    this.stale = true
+    this.stale = this.news = true
     this.picture()
     return true
   }
@@ -402,12 +409,21 @@ export class RunHost {
     const { present } = this
     // A step that has begun is shown when it is over.
     if (!present || present.session.partly || !present.reporter.ready) return
+    const { version, settled, desired, news } = this
+    const now = performance.now()
     this.stale = false
-    this.lastFrame = performance.now()
-    const { version, settled } = this
+    this.lastFrame = now
+    const fast = desired.clock === 'iterations' && desired.speed > LEGIBLE
+    if (fast && !news && now - this.lastReport < REPORT_INTERVAL) {
+      const picture = present.reporter.picture(desired)
+      this.send({ is: 'picture', ...picture }, Reporter.transfers(picture))
+      return
+    }
+    this.news = false
+    this.lastReport = now
     const state = { version, playing: !settled && this.target.play, arrived: settled, furthest: present.places.report }
-    const desired = { ...this.desired, item: this.speaks ? this.desired.item : null, links: this.linked && this.desired.links }
-    const report = present.reporter.report(desired, state)
+    const wanted = { ...desired, item: this.speaks ? desired.item : null, links: this.linked && desired.links }
+    const report = present.reporter.report(wanted, state)
     this.send(report, Reporter.transfers(report))
   }
 }

@@ -63,7 +63,7 @@ function receive(message: ToHost): void {
 }
 
 addEventListener('message', async ({ data }: MessageEvent<ToHost>) => {
-  send({ is: 'seen', number: data.number })
+  if (data.number > 0) send({ is: 'seen', number: data.number })
   // In the order in which they came.
   await opened
   receive(data)

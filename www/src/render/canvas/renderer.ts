@@ -1,3 +1,4 @@
+import type { Scene } from 'forage-lab'
 import { type Anchors, anchorsOf, movedTo, orderOf, pointsOf } from '../anchors'
 import type { Display, Ground, Renderer, RendererListeners } from '../display'
 import type { Frame, Layers } from '../frame'
@@ -46,6 +47,7 @@ export class CanvasRenderer implements Renderer {
   private present: Present | null = null
   private heat: Ground | null = null
   private cells: Cells | null = null
+  private backdrop: { sheet: OffscreenCanvas; key: readonly unknown[] } | null = null
   private request = 0
   private drawn = false
 
@@ -107,20 +109,41 @@ export class CanvasRenderer implements Renderer {
   }
 
   private draw(): void {
-    const { canvas, context, display, heat } = this
+    const { canvas, context, display } = this
     if (!context || !display) return
     const { size, density, view } = display
     const [width, height] = [Math.round(size.width * density), Math.round(size.height * density)]
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height })
     const pen: Pen = { context, view, size, density, palette: new Palette(display.theme) }
-    context.setTransform(density, 0, 0, density, 0, 0)
-    veil(pen, 0)
-    if (heat) drawGround(pen, heat)
+    this.drawBackdrop(pen, display)
     if (display.scene.kind === 'arm') this.drawSpace(pen, display)
     else this.drawPlane(pen, display)
     if (!this.present || this.drawn) return
     this.drawn = true
     this.listeners.ondrawn()
+  }
+
+  /** What lies beneath the frame, kept as a picture: a run draws it sixty times a second. */
+  private drawBackdrop(pen: Pen, display: Display): void {
+    const { context, size, density } = pen
+    const { scene, view, theme, blamed } = display
+    const key = [scene, view, size, density, theme, blamed, this.heat]
+    if (!this.backdrop || key.some((part, at) => part !== this.backdrop?.key[at])) {
+      const [width, height] = [Math.max(1, this.canvas.width), Math.max(1, this.canvas.height)]
+      const sheet = this.backdrop?.sheet ?? new OffscreenCanvas(width, height)
+      if (sheet.width !== width || sheet.height !== height) Object.assign(sheet, { width, height })
+      const own = sheet.getContext('2d')
+      if (!own) return
+      this.backdrop = { sheet, key }
+      own.setTransform(density, 0, 0, density, 0, 0)
+      const beneath: Pen = { ...pen, context: own }
+      veil(beneath, 0)
+      if (this.heat) drawGround(beneath, this.heat)
+      if (!isCovered(scene)) this.drawObstacles(beneath, display)
+    }
+    context.setTransform(1, 0, 0, 1, 0, 0)
+    context.drawImage(this.backdrop.sheet, 0, 0)
+    context.setTransform(density, 0, 0, density, 0, 0)
   }
 
   private drawPlane(pen: Pen, display: Display): void {
@@ -130,7 +153,7 @@ export class CanvasRenderer implements Renderer {
     const grids = scene.kind === 'grid' ? this.part('grids') : undefined
     const tours = stopsOf(scene).length > 0 ? this.part('tours') : undefined
     if (present) drawFields(pen, present, on)
-    this.drawObstacles(pen, display)
+    if (isCovered(scene)) this.drawObstacles(pen, display)
     if (present) {
       drawLayers(pen, present.frame, inOwn(present, display), on, scene, { ...grids, ...tours })
       for (const { points, look } of display.overlays) drawPath(pen, points, look)
@@ -198,6 +221,9 @@ export class CanvasRenderer implements Renderer {
     drawEnds(pen, flat, display)
   }
 }
+
+/** Fields lie between the ground and the obstacles of a grid; arms are drawn otherwise. */
+const isCovered = ({ kind }: Scene): boolean => kind === 'grid' || kind === 'arm'
 
 /** The key of the frame's layer with this form. */
 const roleOf = ({ names }: Present, form: 'disc' | 'number'): string => names.layers.find(({ look }) => look.glyph === form)?.role ?? ''
