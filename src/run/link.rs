@@ -81,7 +81,8 @@ impl Link {
         text.split_once('#').is_some_and(|(_, fragment)| fragment.starts_with("v="))
     }
 
-    /// Takes a link apart: the fragment alone, or a whole address that ends in it.
+    /// Takes a link apart: the fragment alone, or a whole address that ends in it. Keys that begin with `page.` say how a page shows
+    /// the run, and are skipped.
     ///
     /// # Errors
     /// A message that says what is wrong: no fragment, another version, an unknown key, too long, or whatever [`Setup::check`] refuses.
@@ -99,6 +100,7 @@ impl Link {
                 "seed" => seed = limits::read_whole(key, value)?,
                 "at" => iteration = limits::read_whole(key, value)?,
                 "hash" => hash = Some(value.to_owned()),
+                _ if key.starts_with("page.") => {}
                 _ => match key.strip_prefix("p.") {
                     Some(name) => params.insert(name, Value::from(value)),
                     None => {
@@ -215,6 +217,14 @@ mod tests {
             assert_eq!(back.to_string(), link.to_string());
             assert_eq!(back.setup.scene, link.setup.scene);
         }
+    }
+
+    #[test]
+    fn what_a_page_adds_to_a_link_is_skipped() {
+        let plain = "#v=1&planner=wcpso&scene=wcpso-discs&seed=7&at=120";
+        let added = "#v=1&page.item=particles.3&planner=wcpso&scene=wcpso-discs&seed=7&at=120&page.camera=1,2,0.5&page.layers=";
+        let link = Link::parse(standard(), added).unwrap();
+        assert_eq!(link.to_string(), Link::parse(standard(), plain).unwrap().to_string());
     }
 
     #[test]

@@ -106,3 +106,37 @@ test('back from a link leads to the run of before', async ({ lab, page }) => {
   await page.goForward()
   expect(await lab.settled(20)).toBe(second)
 })
+
+test('a link says what is explained, which layers are shown, and what is in view', async ({ lab, page }) => {
+  const plain = linkTo({ seed: 7 }, 30)
+  await lab.open(`${plain}&page.item=particles.3&page.camera=4,5,3&page.layers=velocities,-particles`)
+  const hash = await lab.settled(30)
+  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText('Particle 3')
+  await expect(page.getByTestId('layer-velocities')).toBeChecked()
+  await expect(page.getByTestId('layer-particles')).not.toBeChecked()
+  const near = await lab.picture()
+
+  // The address stays what it was, also after a reload.
+  await lab.link(hash)
+  await expect(page).toHaveURL(/&page\.item=particles\.3&page\.camera=4,5,3&page\.layers=velocities,-particles$/)
+  await page.reload()
+  expect(await lab.settled(30)).toBe(hash)
+  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText('Particle 3')
+  expect((await lab.picture()).digest).toBe(near.digest)
+
+  // What is changed is changed there, and the core takes the link as it is.
+  await lab.press(en.stage.fit)
+  await page.getByRole('button', { name: 'Close the inspection' }).click()
+  await expect(page).toHaveURL(/hash=[0-9a-f]{16}&page\.layers=velocities,-particles$/)
+  expect(verified(new URL(page.url()).hash)).toMatchObject({ seed: 7, iteration: 30 })
+})
+
+test('a link that says nonsense of the page opens its run', async ({ lab, page }) => {
+  const keys =
+    '&page.item=<img src=x onerror=alert(1)>.1&page.camera=NaN,1,0&page.layers=__proto__,-constructor&page.other=javascript:alert(1)'
+  await lab.open(linkTo({ seed: 7 }, 30) + keys)
+  await lab.settled(30)
+  await expect(page.getByTestId('notice')).toHaveCount(0)
+  expect(await page.evaluate(() => Object.keys(Object.prototype).length)).toBe(0)
+  await expect(page.getByTestId('layer-particles')).toBeChecked()
+})

@@ -20,7 +20,7 @@ test('after the core broke down, a restart goes on with what was made', async ({
     window.Worker = class extends Real {
       constructor(url: string | URL, options?: WorkerOptions) {
         super(url, options)
-        made.push(this)
+        if (String(url).includes('run.worker')) made.push(this)
       }
     }
     Object.assign(window, { breakDown: () => made.at(-1)?.dispatchEvent(new ErrorEvent('error', { message: 'unreachable' })) })
@@ -50,4 +50,35 @@ test('after the core broke down, a restart goes on with what was made', async ({
   const iterations = (await first.allTextContents()).map(Number)
   expect(iterations).toEqual([...iterations].sort((a, b) => a - b))
   expect(iterations.at(-1)).toBe(20)
+})
+
+test('where the thread that draws breaks down, or there can be none, the page draws', async ({ lab, page }) => {
+  await page.addInitScript(() => {
+    const { Worker: Real } = window
+    window.Worker = class extends Real {
+      constructor(url: string | URL, options?: WorkerOptions) {
+        if (String(url).includes('render.worker') && sessionStorage.getItem('none')) throw new Error('no thread')
+        super(url, options)
+        if (String(url).includes('render.worker'))
+          Object.assign(window, { breakDown: () => this.dispatchEvent(new ErrorEvent('error', { message: 'gone', cancelable: true })) })
+      }
+    }
+  })
+  await lab.open(linkTo({}, 20))
+  const hash = await lab.settled(20)
+  await page.evaluate(() => (window as unknown as { breakDown(): void }).breakDown())
+  await expect.poll(async () => (await lab.picture()).colours).toBeGreaterThan(200)
+  // A canvas of the page has other shades at edges than one of a thread.
+  const { digest } = await lab.wholePicture()
+  // Frames go on, more of them than there are buffers.
+  await lab.press(en.transport.play)
+  await expect.poll(() => lab.iteration()).toBeGreaterThan(40)
+  await lab.press(en.transport.pause)
+  expect(await lab.seek(20)).toBe(hash)
+  expect((await lab.wholePicture()).digest).toBe(digest)
+
+  await page.evaluate(() => sessionStorage.setItem('none', 'yes'))
+  await page.reload()
+  await lab.settled(20)
+  expect((await lab.wholePicture()).digest).toBe(digest)
 })

@@ -40,7 +40,7 @@ export interface Display {
   followed: boolean
   /** What is looked for is a tour: start and goal mean nothing. */
   touring: boolean
-  /** The run goes on: what moves is on its way. */
+  /** The run plays: moving obstacles are on their way. */
   playing: boolean
   /** What calls for attention, by event; null: events are not shown. */
   tones: readonly EventKind['tone'][] | null

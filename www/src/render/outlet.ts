@@ -9,15 +9,21 @@ export type Sink = Pick<Renderer, 'frame'>
 export class Outlet {
   private sink: Sink | null = null
   private waiting: { frame: Frame; names: Names } | null = null
+  /** A renderer that is gone had the newest frame. */
+  private taken = false
 
-  /** `release`: of a frame that was drawn for the last time. */
-  constructor(readonly release: (buffer: ArrayBuffer) => void) {}
+  /** `release`: of a frame that was drawn for the last time; `again`: asks for the newest frame once more. */
+  constructor(
+    readonly release: (buffer: ArrayBuffer) => void,
+    private readonly again: () => void,
+  ) {}
 
   get connected(): boolean {
     return this.sink !== null
   }
 
   put(frame: Frame, names: Names): void {
+    this.taken = this.sink !== null
     if (this.sink) {
       this.sink.frame(frame, names)
       return
@@ -31,7 +37,12 @@ export class Outlet {
     this.sink = sink
     const { waiting } = this
     this.waiting = null
-    if (waiting) sink.frame(waiting.frame, waiting.names)
+    if (waiting) {
+      this.taken = true
+      sink.frame(waiting.frame, waiting.names)
+    } else if (this.taken) {
+      this.again()
+    }
     return () => {
       if (this.sink === sink) this.sink = null
     }

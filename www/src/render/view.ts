@@ -23,7 +23,8 @@ export interface Box {
   max: Point
 }
 
-const ZOOM = { least: 0.2, most: 400 }
+/** How small and how large a scene may be shown, 1 being as a whole. */
+export const ZOOM = { least: 0.2, most: 400 }
 
 /** Half the side of the box that a function is searched in, as its definition says. */
 const REACH: Readonly<Record<FunctionScene['function'], number>> = {

@@ -18,6 +18,7 @@ import { suits } from '../scene/stops'
 import { Suggested } from './suggested.svelte'
 import { stillness } from './theme.svelte'
 import { type Opening, worded } from './transport.svelte'
+import { type Camera, type PageKeys, readPageKeys } from './page-keys'
 import { route } from './route.svelte'
 import { Visible } from './layers.svelte'
 
@@ -51,9 +52,16 @@ export class Lab extends Inspecting {
   run = $state.raw<Run | null>(null)
   /** Its frame is the renderer's. */
   report = $state.raw<Report | null>(null)
+  /** What the stage shows of the plane; null: all of the scene. */
+  camera = $state.raw<Camera | null>(null)
+  /** What a link wants it to show, until it does. */
+  wantedCamera = $state.raw<Camera | null>(null)
   /** What of the newest frame can be pointed at. */
   anchors = $state.raw<Anchors | null>(null)
-  readonly frames = new Outlet((buffer) => this.client.giveBack(buffer))
+  readonly frames = new Outlet(
+    (buffer) => this.client.giveBack(buffer),
+    () => void this.client.want({}),
+  )
   /** The first picture is on the screen: what it did not need may come. */
   drawn = $state(false)
   computed = $state(0)
@@ -186,7 +194,10 @@ export class Lab extends Inspecting {
       (answer) => {
         opened = answer.ok
         if (!answer.ok) this.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))
-        else if (!this.requests.replaced(request, 'setup')) this.openSetup(answer.value, request)
+        else if (!this.requests.replaced(request, 'setup')) {
+          this.openSetup(answer.value, request)
+          this.applyPageKeys(readPageKeys(link))
+        }
       },
     )
     return opened
@@ -201,6 +212,12 @@ export class Lab extends Inspecting {
     this.promised = hash === undefined ? undefined : { hash, at: iteration }
     this.notice = ''
     this.restart({ at: iteration, play: false }, request)
+  }
+
+  private applyPageKeys({ item, camera, layers }: PageKeys): void {
+    this.visible.chosen = { ...this.visible.chosen, ...layers }
+    this.wantedCamera = camera
+    if (item && this.planner?.layers.some(({ role, pickable }) => role === item.role && pickable)) this.inspect(item)
   }
 
   /** Starts a new run; the number of that change, or 0 if there is no scene yet. */

@@ -1,10 +1,10 @@
 /** Which layers are drawn: as the planner's entry has it, unless somebody has chosen. */
 export class Visible {
-  hidden = $state.raw<Record<string, boolean>>({})
+  chosen = $state.raw<Readonly<Record<string, boolean>>>({})
 
-  shows = (role: string, standard: boolean): boolean => !(this.hidden[role] ?? !standard)
+  shows = (role: string, standard: boolean): boolean => this.chosen[role] ?? standard
 
   show = (role: string, on: boolean): void => {
-    this.hidden = { ...this.hidden, [role]: !on }
+    this.chosen = { ...this.chosen, [role]: on }
   }
 }

@@ -13,8 +13,9 @@ const viewOf = (hash: string): View | undefined => VIEWS.find((view) => hash ===
 /** What is shown, and its address. Nothing else writes the address. */
 class Route {
   view = $state<View>(viewOf(location.hash) ?? 'stage')
-  /** The newest link of the run. */
+  /** The newest link of the run, and what is added to it: how the page shows the run. */
   private link = ''
+  added = ''
   private last = 0
   private timer: ReturnType<typeof setTimeout> | undefined
   /** Grows with each link that is opened from the address: entries of the history with this number are of the run that is here. */
@@ -30,7 +31,7 @@ class Route {
     if (view === this.view) return
     this.view = view
     clearTimeout(this.timer)
-    history.pushState(this.mark, '', view === 'stage' ? this.link || '#' : PREFIX + view)
+    history.pushState(this.mark, '', view === 'stage' ? this.address || '#' : PREFIX + view)
   }
 
   /** The run's link: at once where it stays, seldom while it plays. */
@@ -42,15 +43,30 @@ class Route {
       if (since >= INTERVAL) this.replace()
       return
     }
+    this.replaceSoon(LEAST - since)
+  }
+
+  /** Keys of the page that are added to the run's link. */
+  add(keys: string): void {
+    if (keys === this.added) return
+    this.added = keys
+    if (this.link !== '') this.replaceSoon(LEAST)
+  }
+
+  private get address(): string {
+    return this.link === '' ? '' : this.link + this.added
+  }
+
+  private replaceSoon(wait: number): void {
     clearTimeout(this.timer)
-    if (since >= LEAST) this.replace()
-    else this.timer = setTimeout(() => this.replace(), LEAST - since)
+    if (wait <= 0) this.replace()
+    else this.timer = setTimeout(() => this.replace(), wait)
   }
 
   private replace(): void {
     clearTimeout(this.timer)
     this.last = performance.now()
-    if (this.view === 'stage' && location.hash !== this.link) history.replaceState(this.mark, '', this.link)
+    if (this.view === 'stage' && location.hash !== this.address) history.replaceState(this.mark, '', this.address)
   }
 
   /** The address is another one: by the browser's buttons, or because somebody wrote it. Returns the link that is to be opened. */

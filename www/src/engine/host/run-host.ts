@@ -55,6 +55,8 @@ export class RunHost {
   private stale = false
   /** More has changed than where the run is: that is reported at once. */
   private news = true
+  /** A picture waits for a buffer. */
+  private blocked = false
   private lastFrame = 0
   private lastReport = 0
   /** When the next step is due. */
@@ -107,7 +109,7 @@ export class RunHost {
   /** A frame's buffer comes back. */
   giveBack(buffer: ArrayBuffer): void {
     this.buffers.giveBack(buffer)
-    if (!this.stale) return
+    if (!this.blocked) return
     try {
       this.picture()
     } catch (error) {
@@ -408,7 +410,9 @@ export class RunHost {
   private picture(): void {
     const { present } = this
     // A step that has begun is shown when it is over.
-    if (!present || present.session.partly || !present.reporter.ready) return
+    if (!present || present.session.partly) return
+    this.blocked = !present.reporter.ready
+    if (this.blocked) return
     const { version, settled, desired, news } = this
     const now = performance.now()
     this.stale = false

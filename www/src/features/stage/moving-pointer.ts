@@ -30,7 +30,7 @@ export class MovingPointer {
 
   constructor(private readonly pointer: Pointer) {}
 
-  /** Where what moves is now, as far as the planner says. */
+  /** Where the moving obstacles are now, as far as the planner says. */
   get now(): Point[] | null {
     return lab.anchors && movedTo(lab.anchors, lab.moving.length)
   }

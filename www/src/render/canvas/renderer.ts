@@ -130,8 +130,8 @@ export class CanvasRenderer implements Renderer {
     const key = [scene, view, size, density, theme, blamed, this.heat]
     if (!this.backdrop || key.some((part, at) => part !== this.backdrop?.key[at])) {
       const [width, height] = [Math.max(1, this.canvas.width), Math.max(1, this.canvas.height)]
-      const sheet = this.backdrop?.sheet ?? new OffscreenCanvas(width, height)
-      if (sheet.width !== width || sheet.height !== height) Object.assign(sheet, { width, height })
+      // A new one each time: browsers draw the first picture on a canvas with other shades than the following ones.
+      const sheet = new OffscreenCanvas(width, height)
       const own = sheet.getContext('2d')
       if (!own) return
       this.backdrop = { sheet, key }

@@ -55,7 +55,10 @@ export class Lane {
   run = $state.raw<LaneRun | null>(null)
   /** What is shown of it; its frame is the renderer's. */
   picture = $state.raw<Report | null>(null)
-  readonly frames = new Outlet((buffer) => this.client.giveBack(buffer))
+  readonly frames = new Outlet(
+    (buffer) => this.client.giveBack(buffer),
+    () => void this.client.want({}),
+  )
   /** Whose run it is: another planner may have been chosen. */
   readonly runner = $derived(lab.catalogue?.planners.find(({ name }) => name === (this.run?.planner ?? this.planner)))
   private readonly names = $derived<Names>(lab.catalogue ? namesOf(lab.catalogue, this.runner) : { layers: [], shapes: [] })

@@ -187,7 +187,7 @@ export abstract class Times {
     this.show(racing, pictures)
     this.known = Math.max(this.known, clock)
     // Where all have come to their end, there is no time beyond.
-    this.clock = this.over ? Math.min(clock, Math.max(this.begin, ...racing.map(({ end }) => end))) : clock
+    this.clock = this.over ? Math.min(this.goal ?? clock, Math.max(this.begin, ...racing.map(({ end }) => end))) : clock
   }
 
   private show(racing: readonly Lane[], pictures: readonly (Report | null)[]): void {

@@ -1,0 +1,70 @@
+import type { Item, Point } from 'forage-lab'
+
+/* Keys of a link that say how the page shows the run. The core skips all that begin with `page.`. */
+
+/** The middle of what is seen, and how many times larger it is than with the whole scene in view. */
+export interface Camera {
+  center: Point
+  zoom: number
+}
+
+export interface PageKeys {
+  /** The item that is explained. */
+  item: Item | null
+  camera: Camera | null
+  /** Layers that are shown or hidden although their standard is otherwise. */
+  layers: Readonly<Record<string, boolean>>
+}
+
+export const NO_KEYS: PageKeys = { item: null, camera: null, layers: {} }
+
+const PREFIX = 'page.'
+/** Of more no link is made. */
+const MOST_LAYERS = 64
+const NAME = /^[a-z][a-z0-9-]{0,63}$/
+/** Digits of a coordinate: finer than a pixel of any stage. */
+const DIGITS = 6
+
+const brief = (value: number): string => String(Number(value.toPrecision(DIGITS)))
+
+/** As they are added to a link. */
+export function writePageKeys({ item, camera, layers }: PageKeys): string {
+  const entries: [string, string][] = []
+  if (item) entries.push(['item', `${item.role}.${item.index}`])
+  if (camera) entries.push(['camera', [...camera.center, camera.zoom].map(brief).join()])
+  const changed = Object.entries(layers)
+  if (changed.length > 0) entries.push(['layers', changed.map(([role, on]) => (on ? role : `-${role}`)).join()])
+  return entries.map(([key, value]) => `&${PREFIX}${key}=${value}`).join('')
+}
+
+/** What a link says; what cannot be read is left out, for the run matters more. */
+export function readPageKeys(link: string): PageKeys {
+  const pairs = link.split('&').map((pair) => pair.split('=') as [string, string?])
+  const read = (key: string): string => decoded(pairs.find(([name]) => name === PREFIX + key)?.[1] ?? '')
+  return { item: itemOf(read('item')), camera: cameraOf(read('camera')), layers: layersOf(read('layers')) }
+}
+
+function decoded(value: string): string {
+  try {
+    return decodeURIComponent(value)
+  } catch {
+    return ''
+  }
+}
+
+function itemOf(value: string): Item | null {
+  const [, role = '', digits = ''] = /^(.+)\.(\d{1,15})$/.exec(value) ?? []
+  return NAME.test(role) ? ({ role, index: Number(digits) } as Item) : null
+}
+
+function cameraOf(value: string): Camera | null {
+  const [x, y, zoom, ...rest] = value.split(',').map((part) => (part === '' ? Number.NaN : Number(part)))
+  if (x === undefined || y === undefined || zoom === undefined || rest.length > 0) return null
+  return [x, y, zoom].every(Number.isFinite) && zoom > 0 ? { center: [x, y], zoom } : null
+}
+
+function layersOf(value: string): Record<string, boolean> {
+  const all = value.split(',').slice(0, MOST_LAYERS)
+  const named = all.map((entry): [string, boolean] => (entry.startsWith('-') ? [entry.slice(1), false] : [entry, true]))
+  return Object.fromEntries(named.filter(([role]) => NAME.test(role)))
+}
