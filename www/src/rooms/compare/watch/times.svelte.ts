@@ -177,11 +177,16 @@ export abstract class Times {
     this.heading = clock
     const pictures = await Promise.all(racing.map((lane) => lane.go(clock)))
     this.ways += 1
-    if (turns !== this.turns) return
+    if (turns !== this.turns) {
+      // Nobody shows them: their buffers go back.
+      for (const [at, lane] of racing.entries()) lane.pass(pictures[at] ?? null)
+      return
+    }
     if (racing.some((lane, at) => pictures[at] === null && lane.halted)) {
       for (const [at, lane] of racing.entries()) lane.pass(pictures[at] ?? null)
       const back = await Promise.all(racing.map((lane) => lane.go(this.clock)))
       if (turns === this.turns) this.show(racing, back)
+      else for (const [at, lane] of racing.entries()) lane.pass(back[at] ?? null)
       return
     }
     this.show(racing, pictures)
