@@ -43,6 +43,9 @@ export interface Start {
   check?: boolean
 }
 
+/** Where a run begins. */
+export type Opening = Omit<Start, 'setup'>
+
 /** Where a run is to go. */
 export interface Target {
   /** Where it goes first: the first iteration at or beyond this place; absent: it stays where it is. */

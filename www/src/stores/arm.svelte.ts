@@ -1,8 +1,10 @@
 import type { ArmScene, ArmSolutions, Motion, Point3, Reachability } from 'forage-lab'
 import type { Answer } from '../engine/protocol'
 import { pool } from '../engine/pool'
+import type { Clock } from './clock.svelte'
+import { perLab } from './context.svelte'
 import { Following } from './following.svelte'
-import { lab } from './lab.svelte'
+import type { Lab } from './lab.svelte'
 import { nodeOf } from './nodes'
 import { Swing } from '../scene/trajectory'
 
@@ -26,12 +28,8 @@ interface Survey {
 }
 
 /** What there is to know about the arm beside the run: how it follows the result, its postures at a point, where its tip can come. */
-class Arm {
-  readonly following = new Following<Motion, Swing>(
-    PACE,
-    (params) => lab.api.motion(params),
-    (motion) => new Swing(motion),
-  )
+export class ArmStore {
+  readonly following: Following<Motion, Swing>
   node = $state<number | null>(null)
 
   aim = $state<Aim>('goal')
@@ -50,12 +48,23 @@ class Arm {
   unsurveyed = $state('')
   /** What arm stands where among what: another one is to be surveyed anew. */
   readonly reach = $derived.by(() => {
-    const [of, now] = [this.survey?.scene, lab.arm]
+    const [of, now] = [this.survey?.scene, this.lab.scene.arm]
     const holds = of && now && of.arm === now.arm && of.cuboids === now.cuboids && of.workspace === now.workspace
     return holds ? (this.survey?.reach ?? null) : null
   })
 
-  readonly clock = this.following.clock
+  constructor(private readonly lab: Lab) {
+    this.following = new Following<Motion, Swing>(
+      PACE,
+      (params) => lab.api.motion(params),
+      (motion) => new Swing(motion),
+    )
+    lab.followers.motion = this.following
+  }
+
+  get clock(): Clock {
+    return this.following.clock
+  }
 
   get motion(): Motion | null {
     return this.following.track?.motion ?? null
@@ -67,9 +76,9 @@ class Arm {
 
   /** Where a point is, if there is one now. */
   place(aim: Aim): Point3 | null {
-    if (aim === 'node') return lab.inspection && nodeOf(lab.inspection)
+    if (aim === 'node') return this.lab.selection.inspection && nodeOf(this.lab.selection.inspection)
     if (aim === 'tip') return this.following.track?.tipAt(this.clock.time) ?? null
-    return lab.arm?.[aim] ?? null
+    return this.lab.scene.arm?.[aim] ?? null
   }
 
   /** Asks for a point's postures; null takes them away. */
@@ -77,7 +86,7 @@ class Arm {
     this.turn += 1
     const turn = this.turn
     const near = this.postureAt(this.clock.time)
-    const answer = point && (await lab.api.armSolutions(scene, point, direction && vector(direction), near ? [...near] : undefined))
+    const answer = point && (await this.lab.api.armSolutions(scene, point, direction && vector(direction), near ? [...near] : undefined))
     if (turn !== this.turn) return
     this.problem = answer && !answer.ok ? answer.refusal.message : ''
     this.ghosts = answer?.ok ? answer.value : null
@@ -93,7 +102,7 @@ class Arm {
 
   /** Finds out where the tip can come, on a lattice of this step. */
   explore = async (step: number): Promise<void> => {
-    const scene = lab.arm
+    const scene = this.lab.scene.arm
     if (!scene) return
     this.surveying = true
     this.unsurveyed = ''
@@ -131,5 +140,4 @@ export const directionOf = ([x, y, z]: Point3): Direction => ({
   elevation: Math.atan2(z, Math.hypot(x, y)) / DEGREE,
 })
 
-export const arm = new Arm()
-lab.followers.motion = arm.following
+export const armOf = perLab((lab) => new ArmStore(lab))

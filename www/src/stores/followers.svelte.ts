@@ -1,17 +1,23 @@
 import type { Drive } from 'forage-lab'
 import type { Questions } from '../engine/host/questions'
+import type { Clock } from './clock.svelte'
 import type { Follower, Following } from './following.svelte'
 import type { Track } from '../scene/track'
 
 /** How many times as fast as the robot a drive is shown. */
 const PACE = 4
 
-/** Those who follow the result in a time of their own. Each is there from its first time on. */
+/** Times beside that of the run: of those who follow its result, each from its first time on, and of an iteration's steps. */
 export class Followers {
   /** The robot. */
   driving = $state.raw<Following<Drive, Track> | null>(null)
   /** The arm. */
   motion = $state.raw<Follower | null>(null)
+
+  /** An iteration is shown step by step. */
+  unfolded = $state(false)
+  /** The one that the stage's keys are for, and the way back. */
+  beside = $state.raw<{ clock: Clock; leave(): void } | null>(null)
 
   private get all(): Follower[] {
     return [this.driving, this.motion].filter((follower) => follower !== null)
@@ -38,5 +44,15 @@ export class Followers {
 
   leave(): void {
     for (const follower of this.all) follower.leave()
+  }
+
+  fold = (): void => {
+    this.unfolded = false
+  }
+
+  /** Nobody follows the result, and no iteration is unfolded. */
+  stop(): void {
+    this.leave()
+    this.unfolded = false
   }
 }

@@ -1,6 +1,7 @@
 import type { Generator, ParameterValue, Scene } from 'forage-lab'
 import type { Refusal } from '../engine/protocol'
-import { lab } from './lab.svelte'
+import type { Lab } from './lab.svelte'
+import { perLab } from './context.svelte'
 import { Latest } from '../engine/latest-request'
 
 type Values = Readonly<Record<string, ParameterValue>>
@@ -22,7 +23,7 @@ const known = ({ parameters }: Generator, values: Values): Values =>
   Object.fromEntries(Object.entries(values).filter(([name]) => parameters.some((parameter) => parameter.name === name)))
 
 /** A random scene in the making: what was chosen, and the scene that comes of it. It is kept while the page is open. */
-class Generating {
+export class GeneratingStore {
   generator = $state.raw<Generator | null>(null)
   values = $state.raw<Values>({})
   seed = $state(1)
@@ -46,6 +47,8 @@ class Generating {
   readonly unloaded = $derived(this.trouble?.unloaded ?? false)
 
   private readonly latest = new Latest<Wish>((wish) => this.make(wish))
+
+  constructor(private readonly lab: Lab) {}
 
   begin(generators: readonly Generator[]): void {
     const [first] = generators
@@ -82,7 +85,7 @@ class Generating {
   }
 
   private async make({ generator, values, seed, changed }: Wish): Promise<void> {
-    const answer = await lab.api.generateScene(generator.name, values, seed)
+    const answer = await this.lab.api.generateScene(generator.name, values, seed)
     if (generator !== this.generator) return
     if (!answer.ok && changed && answer.refusal.field === changed) {
       this.refused = { ...this.refused, [changed]: answer.refusal.message }
@@ -98,4 +101,4 @@ class Generating {
   }
 }
 
-export const generating = new Generating()
+export const generatingOf = perLab((lab) => new GeneratingStore(lab))

@@ -1,7 +1,5 @@
-import type { ParameterValue, Scene, Suggestion, UncheckedSetup } from 'forage-lab'
+import type { ParameterValue, Suggestion } from 'forage-lab'
 import type { Refusal } from '../engine/protocol'
-import type { Again } from './scenes.svelte'
-import { Transport } from './transport.svelte'
 
 type Values = Record<string, ParameterValue>
 
@@ -20,78 +18,76 @@ const without = <T>(values: Record<string, T>, name: string): Record<string, T> 
 }
 
 /** The planner's parameters. With each value that is set the run begins again; it is taken when it is accepted. */
-export abstract class Parameters extends Transport {
+export class ParametersStore {
   /** What is taken, as far as it differs from the defaults. */
-  params = $state.raw<Values>({})
+  values = $state.raw<Values>({})
   /** Messages by parameter name. */
-  paramErrors = $state.raw<Record<string, string>>({})
+  errors = $state.raw<Record<string, string>>({})
   private pending: Pending[] = []
 
-  abstract plannerName: string
-  /** The whole setup with these values. */
-  protected abstract setup(scene: Scene, values: Values): UncheckedSetup
-  /** The run begins again; the number of that change, or 0 if there is nothing to begin. */
-  protected abstract override again(where?: Again): number
+  /** `again`: the run begins again; the number of that change, or 0 if there is nothing to begin. */
+  constructor(private readonly again: () => number) {}
 
   /** The values with those that are to be taken. */
-  protected get wantedParameters(): Values {
-    return Object.assign({}, this.params, ...this.pending.map(({ name, value }) => ({ [name]: value })))
+  get wanted(): Values {
+    return Object.assign({}, this.values, ...this.pending.map(({ name, value }) => ({ [name]: value })))
   }
 
-  protected override get checks(): boolean {
+  /** Something waits for being accepted. */
+  get checks(): boolean {
     return this.pending.length > 0
   }
 
-  protected replaceParameters(params: Values): void {
+  replace(values: Values): void {
     this.conclude(() => true)
-    this.params = params
-    this.paramErrors = {}
+    this.values = values
+    this.errors = {}
   }
 
   /** Settled when the value is taken, or refused. */
-  setParameter = (name: string, value: ParameterValue | string): Promise<void> =>
+  set = (name: string, value: ParameterValue | string): Promise<void> =>
     new Promise((settle) => {
       const pending = { version: Infinity, name, value: value as ParameterValue, settle }
       this.pending.push(pending)
       pending.version = this.again()
     })
 
-  resetParameter = (name?: string): void => {
+  reset = (name?: string): void => {
     this.drop((other) => name === undefined || other === name)
-    this.params = name === undefined ? {} : without(this.params, name)
+    this.values = name === undefined ? {} : without(this.values, name)
     this.again()
   }
 
   /** Both sizes at once, and one new run. */
   useSuggestion = ({ population, iterations }: Suggestion): void => {
     this.drop((name) => name === 'population' || name === 'iterations')
-    this.params = { ...this.params, population, iterations }
+    this.values = { ...this.values, population, iterations }
     this.again()
   }
 
   /** What was set of these parameters, and what was said of them, is forgotten. */
   private drop(which: (name: string) => boolean): void {
     this.conclude(({ name }) => which(name))
-    this.paramErrors = Object.fromEntries(Object.entries(this.paramErrors).filter(([name]) => !which(name)))
+    this.errors = Object.fromEntries(Object.entries(this.errors).filter(([name]) => !which(name)))
   }
 
   /** The run that change number `version` wanted is accepted: its values are taken. */
-  protected takeParameters(version: number): void {
+  take(version: number): void {
     const taken = this.pending.filter((pending) => pending.version <= version)
     if (taken.length === 0) return
     for (const { name, value } of taken) {
-      this.params = { ...this.params, [name]: value }
-      this.paramErrors = without(this.paramErrors, name)
+      this.values = { ...this.values, [name]: value }
+      this.errors = without(this.errors, name)
     }
     this.conclude((pending) => pending.version <= version)
   }
 
   /** A value of this run was refused: it has its message, and is taken back if it has just been set; whether it was. */
-  protected refuseParameter({ field, message }: Refusal, version: number): boolean {
-    this.paramErrors = { ...this.paramErrors, [field]: message }
+  refuse({ field, message }: Refusal, version: number): boolean {
+    this.errors = { ...this.errors, [field]: message }
     const refused = this.pending.findLast((pending) => pending.version <= version && pending.name === field)
     // What is refused because of another parameter stays: it may be that one which is changed next.
-    if (!refused) this.takeParameters(version)
+    if (!refused) this.take(version)
     else this.conclude((pending) => pending === refused)
     return refused !== undefined
   }
@@ -103,8 +99,7 @@ export abstract class Parameters extends Transport {
   }
 
   /** Nothing will be known of what is pending. */
-  protected override forget(): void {
-    this.takeParameters(Infinity)
-    super.forget()
+  forget(): void {
+    this.take(Infinity)
   }
 }

@@ -26,6 +26,11 @@ class Route {
     return location.hash.length > 1 && !viewOf(location.hash) ? location.hash : null
   }
 
+  /** The run is what is looked at. */
+  get watched(): boolean {
+    return this.view === 'stage'
+  }
+
   /** Shows another view. The one of before is a step back. */
   go = (view: View): void => {
     if (view === this.view) return

@@ -1,6 +1,7 @@
 import type { Questions } from '../engine/host/questions'
 import type { Report } from '../engine/protocol'
 import { Clock } from './clock.svelte'
+import { perLab } from './context.svelte'
 import { Walk } from '../scene/steps'
 
 /** Steps a second to choose from. */
@@ -9,7 +10,7 @@ export const PACES = [4, 16, 64] as const
 const PATIENCE = 12
 
 /** An iteration taken apart into the steps of its ants. */
-class Unfolding {
+class UnfoldingStore {
   readonly clock = new Clock(PACES[0])
   walk = $state.raw<Walk | null>(null)
   private of = ''
@@ -40,4 +41,4 @@ class Unfolding {
   }
 }
 
-export const unfolding = new Unfolding()
+export const unfoldingOf = perLab(() => new UnfoldingStore())

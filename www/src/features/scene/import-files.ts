@@ -1,14 +1,14 @@
 import type { NamedFile } from 'forage-lab'
 import { scenes } from '../../locales/en/scenes'
-import { lab } from '../../stores/lab.svelte'
-import type { ImportedFiles } from '../../stores/scenes.svelte'
+import type { Lab } from '../../stores/lab.svelte'
+import type { ImportedFiles } from '../../stores/scene.svelte'
 
 async function read(file: File): Promise<NamedFile> {
   return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }
 }
 
-async function take(files: NamedFile[], problem?: number): Promise<void> {
-  const answer = await lab.askForScene(async () => lab.api.importScene(files, problem))
+async function take(lab: Lab, files: NamedFile[], problem?: number): Promise<void> {
+  const answer = await lab.scene.ask(async () => lab.api.importScene(files, problem))
   if (!answer) return
   if (!answer.ok) {
     const { refusal } = answer
@@ -16,29 +16,29 @@ async function take(files: NamedFile[], problem?: number): Promise<void> {
     const names = files.map(({ name }) => name)
     // What is wrong within a scene is told by its fields.
     const named = refusal.unloaded || names.some((name) => message.includes(name))
-    lab.warn(refusal, scenes.imported.files(named ? message : `${names.join(', ')}: ${message}`), () => take(files, problem))
+    lab.notices.warn(refusal, scenes.imported.files(named ? message : `${names.join(', ')}: ${message}`), () => take(lab, files, problem))
     return
   }
   const { scene, notes, problems } = answer.value
-  lab.openScene(scene)
-  if (notes.length > 0 || problems.length > 1) lab.imported = { files, notes, problems, problem: problem ?? problems.length - 1 }
+  lab.setup.openScene(scene)
+  if (notes.length > 0 || problems.length > 1) lab.scene.imported = { files, notes, problems, problem: problem ?? problems.length - 1 }
 }
 
 /** Scenes and maps, each of one file or of two that belong together. */
-export async function importFiles(files: Iterable<File>): Promise<void> {
+export async function importFiles(lab: Lab, files: Iterable<File>): Promise<void> {
   const given = [...files]
   let named: NamedFile[]
   try {
     named = await Promise.all(given.map(read))
   } catch {
     // A folder, or a file that has gone meanwhile.
-    lab.notice = scenes.imported.unreadable(given.map(({ name }) => name).join(', '))
+    lab.notices.text = scenes.imported.unreadable(given.map(({ name }) => name).join(', '))
     return
   }
-  await take(named)
+  await take(lab, named)
 }
 
 /** The ends of another of the problems, in the map as the file has it. */
-export async function chooseProblem({ files }: ImportedFiles, problem: number): Promise<void> {
-  await take(files, problem)
+export async function chooseProblem(lab: Lab, { files }: ImportedFiles, problem: number): Promise<void> {
+  await take(lab, files, problem)
 }

@@ -1,8 +1,9 @@
-import { lab } from '../../stores/lab.svelte'
+import type { Lab } from '../../stores/lab.svelte'
 import type { PointerController } from './pointer.svelte'
 import type { Orbit, Side } from '../../render/space/orbit'
 
 interface Acts {
+  lab: Lab
   pointer: PointerController
   orbit: Orbit
   turn(azimuth: number, elevation: number): void
@@ -34,18 +35,18 @@ export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
     acts.view(view)
     return true
   }
-  const { pointer } = acts
+  const { lab, pointer } = acts
   const far = event.shiftKey ? 10 : 1
   const keys: Readonly<Record<string, () => void>> = {
-    ' ': () => (lab.beside ? lab.beside.clock.toggle() : lab.toggle()),
-    ',': () => step(-far),
-    ';': () => step(-far),
-    '<': () => step(-far),
-    '.': () => step(far),
-    ':': () => step(far),
-    '>': () => step(far),
-    Home: () => (lab.beside ? lab.beside.clock.seek(0) : lab.seek(0)),
-    End: () => (lab.beside ? lab.beside.clock.seek(lab.beside.clock.end) : lab.seek(Infinity)),
+    ' ': () => (lab.followers.beside ? lab.followers.beside.clock.toggle() : lab.playback.toggle()),
+    ',': () => step(lab, -far),
+    ';': () => step(lab, -far),
+    '<': () => step(lab, -far),
+    '.': () => step(lab, far),
+    ':': () => step(lab, far),
+    '>': () => step(lab, far),
+    Home: () => (lab.followers.beside ? lab.followers.beside.clock.seek(0) : lab.playback.seek(0)),
+    End: () => (lab.followers.beside ? lab.followers.beside.clock.seek(lab.followers.beside.clock.end) : lab.playback.seek(Infinity)),
     '+': () => acts.zoom(1.25),
     '=': () => acts.zoom(1.25),
     '-': () => acts.zoom(0.8),
@@ -57,7 +58,7 @@ export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
     k: () => pointer.walk(1),
     Delete: () => pointer.remove(),
     Backspace: () => pointer.remove(),
-    Escape: () => (lab.beside && !lab.selection && !lab.wantedItem ? lab.beside.leave() : pointer.leave()),
+    Escape: () => (lab.followers.beside && !lab.selection.object && !lab.selection.wanted ? lab.followers.beside.leave() : pointer.leave()),
   }
   const act = keys[event.key] ?? keys[event.key.toLowerCase()]
   act?.()
@@ -65,14 +66,14 @@ export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
 }
 
 /** Iterations of the run, or seconds of the time beside it. */
-function step(by: number): void {
-  const { beside } = lab
-  if (!beside) lab.stepBy(by)
+function step(lab: Lab, by: number): void {
+  const { beside } = lab.followers
+  if (!beside) lab.playback.stepBy(by)
   else beside.clock.seek(by < 0 ? Math.ceil(beside.clock.time) + by : Math.floor(beside.clock.time) + by)
 }
 
-function move(way: readonly [number, number, number], shift: boolean, { pointer, orbit, turn }: Acts): boolean {
-  if (lab.selection) {
+function move(way: readonly [number, number, number], shift: boolean, { lab, pointer, orbit, turn }: Acts): boolean {
+  if (lab.selection.object) {
     if (shift) pointer.stretch(orbit, way)
     else pointer.nudge(orbit, way)
     return true

@@ -1,8 +1,8 @@
 import type { Item, Point } from 'forage-lab'
-import { arm } from '../../stores/arm.svelte'
+import { armOf } from '../../stores/arm.svelte'
 import { added, type Axis, faced, moved, objects, whereIs, withBase, without } from '../../scene/arm'
 import { rounded, same, type Selection } from '../../scene/edits'
-import { lab } from '../../stores/lab.svelte'
+import type { Lab } from '../../stores/lab.svelte'
 import { NODES } from '../../stores/nodes'
 import { columnOf, distance, faceOf, facing, type Grip, Hold, isHidden, liftAt } from '../../render/space/handles'
 import { basis, type Orbit } from '../../render/space/orbit'
@@ -19,8 +19,9 @@ const TURN = 5
 /** Keys that follow each other within this many milliseconds go on from where the last one led. */
 const ROW = 800
 
-const selectionOf = (grip: Grip): Selection | null =>
-  grip.kind === 'face' ? { kind: 'cuboid', index: grip.index } : grip.kind === 'lift' ? lab.selection : grip
+/** What a grip is of; `present`: what is selected. */
+const selectionOf = (grip: Grip, present: Selection | null): Selection | null =>
+  grip.kind === 'face' ? { kind: 'cuboid', index: grip.index } : grip.kind === 'lift' ? present : grip
 
 /** What pointer and keys do to a scene in space. */
 export class PointerController {
@@ -31,16 +32,18 @@ export class PointerController {
   private hold: Hold | null = null
   private walked: { item: Item; at: number } | null = null
 
+  constructor(private readonly lab: Lab) {}
+
   /** What lies under a point of the screen: handles of what is selected over marks, marks over what is solid. */
   private under(world: World, at: Point, coarse: boolean): Grip | null {
-    const scene = lab.arm
+    const scene = this.lab.scene.arm
     if (!scene) return null
     const reach = coarse ? REACH.finger : REACH.mouse
     const away = (point: Parameters<World['project']>[0]): number => {
       const seen = world.project(point)
       return seen ? Math.hypot(seen.x - at[0], seen.y - at[1]) : Infinity
     }
-    const { selection } = lab
+    const { object: selection } = this.lab.selection
     if (selection) {
       const lift = liftAt(scene, selection, world)
       if (lift && Math.abs(lift[0] - at[0]) <= reach && Math.abs(lift[1] - at[1]) <= Math.max(reach, 14)) return { kind: 'lift' }
@@ -61,14 +64,14 @@ export class PointerController {
 
   /** A finger that turns the view must not carry off what it lands on: solid things are held once they are selected. */
   private holds(grip: Grip, coarse: boolean): boolean {
-    if (grip.kind === 'cuboid' || grip.kind === 'base') return same(lab.selection, grip) || !(coarse || grip.kind === 'base')
+    if (grip.kind === 'cuboid' || grip.kind === 'base') return same(this.lab.selection.object, grip) || !(coarse || grip.kind === 'base')
     return true
   }
 
   grab(world: World, orbit: Orbit, at: Point, coarse: boolean): boolean {
-    const { arm: scene } = lab
+    const { arm: scene } = this.lab.scene
     const grip = this.under(world, at, coarse)
-    const selection = grip && selectionOf(grip)
+    const selection = grip && selectionOf(grip, this.lab.selection.object)
     if (!scene || !grip || !selection || !this.holds(grip, coarse)) return false
     this.held = grip
     this.hold = new Hold(scene, grip, selection, world, orbit, at)
@@ -76,18 +79,18 @@ export class PointerController {
   }
 
   drag(at: Point, across: boolean): void {
-    const { arm: scene } = lab
+    const { arm: scene } = this.lab.scene
     if (!this.hold || !scene) return
-    const selection = selectionOf(this.hold.grip)
-    if (!same(lab.selection, selection)) lab.select(selection)
-    lab.drag(this.hold.carry(scene, at, across))
+    const selection = selectionOf(this.hold.grip, this.lab.selection.object)
+    if (!same(this.lab.selection.object, selection)) this.lab.selection.select(selection)
+    this.lab.scene.drag(this.hold.carry(scene, at, across))
   }
 
   drop(cancelled: boolean): void {
     this.hold = null
     this.held = null
-    if (cancelled) lab.abandon()
-    else lab.settle()
+    if (cancelled) this.lab.scene.abandon()
+    else this.lab.scene.settle()
   }
 
   over(world: World, at: Point | null): void {
@@ -96,15 +99,15 @@ export class PointerController {
     const handle = grip && ['face', 'lift', 'start', 'goal'].includes(grip.kind)
     const item = at && !handle ? this.pointAt(world, at, NODE.mouse) : null
     this.pointed = item !== null
-    arm.node = item?.role === NODES ? item.index : null
+    armOf(this.lab).node = item?.role === NODES ? item.index : null
   }
 
   /** The nearest of the points that are shown, can be seen, and can be looked at closer. */
   private pointAt(world: World, at: Point, reach: number): Item | null {
-    const scene = lab.arm
+    const scene = this.lab.scene.arm
     if (!scene) return null
     let [found, least]: [Item | null, number] = [null, reach]
-    for (const { role, pickable } of lab.layers) {
+    for (const { role, pickable } of this.lab.layers.list) {
       const dots = pickable ? world.layers.pointsOf(role) : null
       for (let index = 0; dots && index < dots.count; index += 1) {
         const [x = 0, y = 0, z = 0] = dots.places.subarray(3 * index, 3 * index + 3)
@@ -114,92 +117,96 @@ export class PointerController {
       }
     }
     // Of a big tree only some nodes are drawn.
-    return found && { ...found, index: found.index * (lab.report?.thinning ?? 1) }
+    return found && { ...found, index: found.index * (this.lab.run.report?.thinning ?? 1) }
   }
 
   tap(world: World, at: Point, coarse: boolean): void {
     const grip = this.under(world, at, coarse)
     if (grip && grip.kind !== 'cuboid' && grip.kind !== 'base') {
-      lab.select(selectionOf(grip))
+      this.lab.selection.select(selectionOf(grip, this.lab.selection.object))
       return
     }
     const item = this.pointAt(world, at, coarse ? NODE.finger : NODE.mouse)
     if (item) {
-      lab.select(null)
-      lab.inspect(item)
+      this.lab.selection.select(null)
+      this.lab.selection.inspect(item)
       return
     }
-    lab.select(grip)
-    if (!grip) lab.inspect(null)
+    this.lab.selection.select(grip)
+    if (!grip) this.lab.selection.inspect(null)
   }
 
   /** From the node that is looked at to another one; the first is the root. */
   walk(by: 1 | -1): void {
     const now = performance.now()
     // Keys come faster than answers.
-    const item = this.walked && now - this.walked.at < ROW ? this.walked.item : lab.inspection?.item
-    const index = item?.role === NODES ? Math.min(item.index + by, (lab.readings.nodes ?? Infinity) - 1) : 0
+    const item = this.walked && now - this.walked.at < ROW ? this.walked.item : this.lab.selection.inspection?.item
+    const index = item?.role === NODES ? Math.min(item.index + by, (this.lab.run.readings.nodes ?? Infinity) - 1) : 0
     this.walked = { item: { role: NODES, index: Math.max(0, index) }, at: now }
-    lab.select(null)
-    lab.inspect(this.walked.item)
+    this.lab.selection.select(null)
+    this.lab.selection.inspect(this.walked.item)
   }
 
   /** The next thing that can be selected, or the one before. */
   next(by: 1 | -1): void {
-    if (!lab.arm) return
-    const all = objects(lab.arm)
-    const from = all.findIndex((one) => same(one, lab.selection))
+    if (!this.lab.scene.arm) return
+    const all = objects(this.lab.scene.arm)
+    const from = all.findIndex((one) => same(one, this.lab.selection.object))
     const to = from < 0 ? (by > 0 ? 0 : all.length - 1) : (from + by + all.length) % all.length
-    lab.select(all[to] ?? null)
+    this.lab.selection.select(all[to] ?? null)
   }
 
   /** Keys move what is selected: to the right and away as the view has it, and upwards. */
   nudge(orbit: Orbit, [right, away, up]: readonly [number, number, number]): void {
-    const { arm: scene, selection } = lab
+    const { arm: scene } = this.lab.scene
+    const { object: selection } = this.lab.selection
     const at = scene && selection && whereIs(scene, selection)
     if (!at) return
     const [axis, by] = alongAxis(orbit, [right, away, up])
     at[axis] = rounded(at[axis] + by * STEP)
-    lab.press(moved(scene, selection, at))
+    this.lab.scene.press(moved(scene, selection, at))
   }
 
   /** Keys move a cuboid's far faces, and turn the base. */
   stretch(orbit: Orbit, keys: readonly [number, number, number]): void {
-    const { arm: scene, selection } = lab
+    const { arm: scene } = this.lab.scene
+    const { object: selection } = this.lab.selection
     if (!scene || !selection) return
     const [axis, by] = alongAxis(orbit, keys)
-    if (selection.kind === 'base') lab.press(withBase(scene, { yaw: rounded((scene.arm.base.yaw ?? 0) - TURN * (keys[0] || -keys[1])) }))
+    if (selection.kind === 'base')
+      this.lab.scene.press(withBase(scene, { yaw: rounded((scene.arm.base.yaw ?? 0) - TURN * (keys[0] || -keys[1])) }))
     else if (selection.kind === 'cuboid') {
       const cuboid = scene.cuboids[selection.index]
       if (!cuboid) return
       // As the view has it: the face at the far end goes where the key points to.
       const side = sideOf(orbit, axis)
-      lab.press(faced(scene, selection.index, { axis, side }, rounded(cuboid[side][axis] + by * STEP)))
+      this.lab.scene.press(faced(scene, selection.index, { axis, side }, rounded(cuboid[side][axis] + by * STEP)))
     } else {
       this.nudge(orbit, [10 * keys[0], 10 * keys[1], 10 * keys[2]])
     }
   }
 
   add(orbit: Orbit): void {
-    const scene = lab.arm
+    const scene = this.lab.scene.arm
     if (!scene) return
     const [x, y] = orbit.target
-    lab.edit(added(scene, [x, y, scene.workspace.min[2]]))
-    lab.select({ kind: 'cuboid', index: scene.cuboids.length })
+    this.lab.scene.edit(added(scene, [x, y, scene.workspace.min[2]]))
+    this.lab.selection.select({ kind: 'cuboid', index: scene.cuboids.length })
   }
 
   remove(): void {
-    const { arm: scene, selection } = lab
+    const { arm: scene } = this.lab.scene
+    const { object: selection } = this.lab.selection
     const left = scene && without(scene, selection)
     if (!left || left === scene) return
-    lab.select(null)
-    lab.edit(left)
+    this.lab.selection.select(null)
+    this.lab.scene.edit(left)
   }
 
   leave(): void {
     this.walked = null
-    lab.select(null)
-    lab.inspect(null)
+    this.lab.selection.select(null)
+    this.lab.selection.inspect(null)
   }
 }
 

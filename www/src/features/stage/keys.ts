@@ -1,5 +1,5 @@
 import type { Clock } from '../../stores/clock.svelte'
-import { lab } from '../../stores/lab.svelte'
+import type { Lab } from '../../stores/lab.svelte'
 
 interface Acts {
   zoom(by: number): void
@@ -42,29 +42,29 @@ export function clockKey(event: KeyboardEvent, clock: Clock, leave: () => void):
 }
 
 /** What a key does on the stage; true if it did something. Arrows move the selected object, otherwise the time. */
-export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
+export function stageKey(lab: Lab, event: KeyboardEvent, acts: Acts): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey) return false
   const arrow = ARROWS[event.key]
   if (arrow) {
     const [dx, dy] = arrow
     const far = event.shiftKey ? 10 : 1
     if (acts.walk) acts.walk(dx * far, -dy * far)
-    else if (lab.selection?.kind === 'moving' && event.shiftKey) acts.aim(dx, dy)
-    else if (lab.selection) acts.nudge(dx * far, dy * far)
+    else if (lab.selection.object?.kind === 'moving' && event.shiftKey) acts.aim(dx, dy)
+    else if (lab.selection.object) acts.nudge(dx * far, dy * far)
     else if (dy !== 0) acts.pan(0, dy * PAN)
-    else lab.stepBy(dx * far)
+    else lab.playback.stepBy(dx * far)
     return true
   }
   switch (event.key) {
     case ' ':
       if (acts.act) acts.act()
-      else lab.toggle()
+      else lab.playback.toggle()
       return true
     case 'Home':
-      lab.seek(0)
+      lab.playback.seek(0)
       return true
     case 'End':
-      lab.seek(Infinity)
+      lab.playback.seek(Infinity)
       return true
     case '+':
     case '=':
@@ -78,7 +78,7 @@ export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
       return true
     case 'Delete':
     case 'Backspace':
-      lab.removeSelected()
+      lab.scene.removeSelected()
       return true
     case 'Escape':
       acts.leave()

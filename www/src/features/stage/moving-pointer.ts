@@ -2,7 +2,7 @@ import type { GridScene, Layer, Point } from 'forage-lab'
 import { moving } from '../../locales/en/moving'
 import { added, aimed, neatly, steered, strideOf, tipOf } from '../../scene/aiming'
 import { type Handle, move, place, same, type Selection } from '../../scene/edits'
-import { lab } from '../../stores/lab.svelte'
+import type { Lab } from '../../stores/lab.svelte'
 import { movedTo, pointsOf } from '../../render/anchors'
 import { eventAt, hitMoving } from '../../render/hit-moving'
 import { type Size, toScene, type View } from '../../render/view'
@@ -28,29 +28,32 @@ export class MovingPointer {
   /** An obstacle that a press puts into a scene, and a drag aims. */
   private born: { scene: GridScene; at: Point } | null = null
 
-  constructor(private readonly pointer: Pointer) {}
+  constructor(
+    private readonly lab: Lab,
+    private readonly pointer: Pointer,
+  ) {}
 
   /** Where the moving obstacles are now, as far as the planner says. */
   get now(): Point[] | null {
-    return lab.anchors && movedTo(lab.anchors, lab.moving.length)
+    return this.lab.picture.anchors && movedTo(this.lab.picture.anchors, this.lab.scene.moving.length)
   }
 
   /** A drive goes on: what is on its way can't be caught. */
   get rushing(): boolean {
-    return lab.playing && this.now !== null
+    return this.lab.playback.playing && this.now !== null
   }
 
   /** What is meant by a press, beside what else lies there. Ends lie on top, but not of what is selected. */
   under(found: Handle | null, view: View, size: Size, at: Point, coarse: boolean): Handle | null {
-    if (!lab.grid || this.pointer.using === 'paint') return found
-    const mover = hitMoving(lab.grid, this.now, view, size, at, lab.selection, coarse)
-    const covered = (found?.kind === 'start' || found?.kind === 'goal') && !same(lab.selection, moverOf(mover))
+    if (!this.lab.scene.grid || this.pointer.using === 'paint') return found
+    const mover = hitMoving(this.lab.scene.grid, this.now, view, size, at, this.lab.selection.object, coarse)
+    const covered = (found?.kind === 'start' || found?.kind === 'goal') && !same(this.lab.selection.object, moverOf(mover))
     return mover && !covered ? mover : found
   }
 
   /** Takes hold of what lies there, or of a new one. */
   grab(view: View, size: Size, at: Point, handle: Handle | null): boolean {
-    const { grid } = lab
+    const { grid } = this.lab.scene
     const [x, y] = toScene(view, size, at)
     if (grid && this.pointer.using === 'add-moving') {
       this.born = { scene: grid, at: [x, y] }
@@ -58,7 +61,7 @@ export class MovingPointer {
     }
     const object = moverOf(handle)
     if (!grid || !object || this.rushing) return false
-    const one = handle?.kind === 'aim' && 'index' in object ? lab.moving[object.index] : undefined
+    const one = handle?.kind === 'aim' && 'index' in object ? this.lab.scene.moving[object.index] : undefined
     const anchor = (one && tipOf(one)) ?? place(grid, object)
     this.offset = [anchor[0] - x, anchor[1] - y]
     this.pointer.held = this.held = handle
@@ -70,21 +73,21 @@ export class MovingPointer {
     const [x, y] = toScene(view, size, at)
     if (this.born) {
       const { scene, at: center } = this.born
-      lab.drag(added(scene, center, straight(view, [x - center[0], y - center[1]])))
+      this.lab.scene.drag(added(scene, center, straight(view, [x - center[0], y - center[1]])))
       return true
     }
     const object = moverOf(this.held)
-    if (!object || !lab.grid) return false
-    this.carry(lab.grid, object, [x + this.offset[0], y + this.offset[1]], view)
+    if (!object || !this.lab.scene.grid) return false
+    this.carry(this.lab.scene.grid, object, [x + this.offset[0], y + this.offset[1]], view)
     return true
   }
 
   /** An obstacle goes with the hand; its velocity is where the arrow points to. */
   private carry(grid: GridScene, object: Selection, to: Point, view: View): void {
     const [x, y] = place(grid, object)
-    lab.select(object)
-    if (this.held?.kind === 'aim') lab.drag(aimed(grid, this.held.index, neatly(grid, straight(view, [to[0] - x, to[1] - y]))))
-    else lab.drag(move(grid, object, neatly(grid, to)))
+    this.lab.selection.select(object)
+    if (this.held?.kind === 'aim') this.lab.scene.drag(aimed(grid, this.held.index, neatly(grid, straight(view, [to[0] - x, to[1] - y]))))
+    else this.lab.scene.drag(move(grid, object, neatly(grid, to)))
   }
 
   drop(cancelled: boolean): void {
@@ -95,54 +98,58 @@ export class MovingPointer {
 
   /** True if the tap was meant for what moves, or for what happened on a drive. */
   tap(view: View, size: Size, at: Point, handle: Handle | null, coarse: boolean): boolean {
-    if (lab.grid && this.pointer.using === 'add-moving') {
-      lab.edit(added(lab.grid, toScene(view, size, at), [0, 0]))
+    if (this.lab.scene.grid && this.pointer.using === 'add-moving') {
+      this.lab.scene.edit(added(this.lab.scene.grid, toScene(view, size, at), [0, 0]))
       this.chooseLast()
       return true
     }
     const object = moverOf(handle)
     if (object && 'index' in object) {
-      lab.select(object)
+      this.lab.selection.select(object)
       // What the planner has to say about it.
-      const moving = asked('disc')
-      if (moving) lab.inspect({ role: moving.role, index: object.index })
+      const moving = asked(this.lab, 'disc')
+      if (moving) this.lab.selection.inspect({ role: moving.role, index: object.index })
       return true
     }
-    const events = asked('event')
-    const event = handle === null && events && lab.anchors ? eventAt(pointsOf(lab.anchors.event), view, size, at, coarse) : null
+    const events = asked(this.lab, 'event')
+    const event =
+      handle === null && events && this.lab.picture.anchors
+        ? eventAt(pointsOf(this.lab.picture.anchors.event), view, size, at, coarse)
+        : null
     if (!events || event === null) return false
-    lab.select(null)
-    lab.inspect({ role: events.role, index: event })
+    this.lab.selection.select(null)
+    this.lab.selection.inspect({ role: events.role, index: event })
     return true
   }
 
   /** The obstacle that was added is the one that is meant now. */
   private chooseLast(): void {
     this.pointer.tool = 'look'
-    lab.inspect(null)
-    lab.select({ kind: 'moving', index: lab.moving.length - 1 })
+    this.lab.selection.inspect(null)
+    this.lab.selection.select({ kind: 'moving', index: this.lab.scene.moving.length - 1 })
   }
 
   /** Keys make what is selected faster. */
   aim(right: number, up: number): void {
-    const { grid, selection } = lab
-    if (grid && selection?.kind === 'moving') lab.press(steered(grid, selection.index, [right, up]))
+    const { grid } = this.lab.scene
+    const { object: selection } = this.lab.selection
+    if (grid && selection?.kind === 'moving') this.lab.scene.press(steered(grid, selection.index, [right, up]))
   }
 
   /** What a new one needs, in words. */
   get hint(): string {
-    return lab.readings.time && this.now ? moving.addingLater : moving.adding
+    return this.lab.run.readings.time && this.now ? moving.addingLater : moving.adding
   }
 
   /** How far a key moves an obstacle. */
   get stride(): number {
-    return lab.grid ? strideOf(lab.grid) : 0
+    return this.lab.scene.grid ? strideOf(this.lab.scene.grid) : 0
   }
 }
 
 /** The planner tells about such things, and they are shown. */
-const asked = (glyph: 'disc' | 'event'): Layer | undefined =>
-  lab.layers.find(({ role, look, pickable, on }) => look.glyph === glyph && pickable && lab.visible.shows(role, on))
+const asked = ({ layers }: Lab, glyph: 'disc' | 'event'): Layer | undefined =>
+  layers.list.find(({ role, look, pickable, on }) => look.glyph === glyph && pickable && layers.shows(role, on))
 
 /** Near to an axis the hand means the axis. */
 function straight({ scale }: View, [x, y]: Point): Point {

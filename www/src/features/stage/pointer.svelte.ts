@@ -1,7 +1,7 @@
 import type { Item, Point } from 'forage-lab'
 import { between, type Cell, cellAt, indexOf, isBlocked, middleOf, paint } from '../../scene/cells'
 import { discOf, type Handle, LEAST_RADIUS, move, place, resize, same, type Selection } from '../../scene/edits'
-import { lab } from '../../stores/lab.svelte'
+import type { Lab } from '../../stores/lab.svelte'
 import type { MovingPointer } from './moving-pointer'
 import { takesStops } from '../../scene/stops'
 import { CROWD, hit } from '../../render/hit'
@@ -31,47 +31,55 @@ export class PointerController {
   private stroke: { block: boolean; last: Cell } | null = null
   private lastTap = { time: 0, at: [0, 0] as Point }
 
+  constructor(private readonly lab: Lab) {}
+
   /** The field that is shown and whose cells can be asked about. */
-  readonly role = $derived(
-    lab.grid
-      ? (lab.layers.find(({ role, on, pickable, look }) => pickable && look.ramp && lab.visible.shows(role, on))?.role ?? null)
+  readonly role = $derived.by(() =>
+    this.lab.scene.grid
+      ? (this.lab.layers.list.find(({ role, on, pickable, look }) => pickable && look.ramp && this.lab.layers.shows(role, on))?.role ??
+        null)
       : null,
   )
   /** Stops mean something here and can be changed. */
-  readonly callsAt = $derived(lab.plane !== null && takesStops(lab.plane) && (lab.touring || lab.stops.length > 0))
+  readonly callsAt = $derived.by(
+    () => this.lab.scene.plane !== null && takesStops(this.lab.scene.plane) && (this.lab.setup.touring || this.lab.scene.stops.length > 0),
+  )
   /** A tool that the scene has no use for is put away. */
-  readonly using = $derived<Tool>(
-    ((this.tool === 'paint' || this.tool === 'add-moving') && lab.grid) ||
-      (this.tool === 'add' && (lab.discs || this.callsAt)) ||
-      (this.tool === 'cells' && this.role)
+  readonly using = $derived.by<Tool>(() =>
+    ((this.tool === 'paint' || this.tool === 'add-moving') && this.lab.scene.grid) ||
+    (this.tool === 'add' && (this.lab.scene.discs || this.callsAt)) ||
+    (this.tool === 'cells' && this.role)
       ? this.tool
       : 'look',
   )
 
   /** The cell that is pointed at, to be asked about. */
-  readonly item = $derived<Item | null>(
-    this.role && this.cell && lab.grid && this.using !== 'paint' ? { role: this.role, index: indexOf(lab.grid, this.cell) } : null,
+  readonly item = $derived.by<Item | null>(() =>
+    this.role && this.cell && this.lab.scene.grid && this.using !== 'paint'
+      ? { role: this.role, index: indexOf(this.lab.scene.grid, this.cell) }
+      : null,
   )
 
   take(tool: Tool): void {
     this.tool = this.using === tool ? 'look' : tool
     if (this.tool === 'look') this.cell = null
-    else lab.select(null)
+    else this.lab.selection.select(null)
   }
 
   private under(view: View, size: Size, at: Point, coarse: boolean): Handle | null {
-    const found = lab.plane && hit(lab.plane, view, size, at, lab.selection, coarse, lab.touring)
+    const found =
+      this.lab.scene.plane && hit(this.lab.scene.plane, view, size, at, this.lab.selection.object, coarse, this.lab.setup.touring)
     return this.movers ? this.movers.under(found, view, size, at, coarse) : found
   }
 
   /** Of many stops a finger moves only the one that is selected, and moves the view with the others. */
   private holds(handle: Handle | null, coarse: boolean): boolean {
     if (handle?.kind !== 'stop') return handle !== null && objectOf(handle).kind !== 'moving'
-    return this.callsAt && !(coarse && lab.stops.length > CROWD && !same(lab.selection, handle))
+    return this.callsAt && !(coarse && this.lab.scene.stops.length > CROWD && !same(this.lab.selection.object, handle))
   }
 
   grab(view: View, size: Size, at: Point, coarse: boolean): boolean {
-    const { plane, grid } = lab
+    const { plane, grid } = this.lab.scene
     if (!plane || this.using === 'add') return false
     const [x, y] = toScene(view, size, at)
     const handle = this.under(view, size, at, coarse)
@@ -90,7 +98,7 @@ export class PointerController {
   }
 
   drag(view: View, size: Size, at: Point): void {
-    const { plane, grid, discs } = lab
+    const { plane, grid, discs } = this.lab.scene
     if (this.movers?.drag(view, size, at)) return
     const [x, y] = toScene(view, size, at)
     if (this.stroke && grid) {
@@ -101,14 +109,14 @@ export class PointerController {
       const painted = paint(grid, cells, this.stroke.block)
       if (painted === grid) return
       this.painted = true
-      lab.drag(painted)
+      this.lab.scene.drag(painted)
     } else if (this.held?.kind === 'rim' && discs) {
       const center = discOf(discs, this.held.index)?.center ?? [x, y]
-      lab.select(objectOf(this.held))
-      lab.drag(resize(discs, this.held.index, Math.max(LEAST_RADIUS, Math.hypot(x - center[0], y - center[1]))))
+      this.lab.selection.select(objectOf(this.held))
+      this.lab.scene.drag(resize(discs, this.held.index, Math.max(LEAST_RADIUS, Math.hypot(x - center[0], y - center[1]))))
     } else if (this.held && this.held.kind !== 'rim' && this.held.kind !== 'aim' && plane) {
-      lab.select(this.held)
-      lab.drag(
+      this.lab.selection.select(this.held)
+      this.lab.scene.drag(
         move(
           plane,
           this.held,
@@ -120,20 +128,20 @@ export class PointerController {
 
   /** A hand means a cell and not a place in it: ways go from middle to middle. */
   private meant(x: number, y: number): Point {
-    const cell = lab.grid && cellAt(lab.grid, [x, y])
-    return lab.grid && cell ? middleOf(lab.grid, cell) : [x, y]
+    const cell = this.lab.scene.grid && cellAt(this.lab.scene.grid, [x, y])
+    return this.lab.scene.grid && cell ? middleOf(this.lab.scene.grid, cell) : [x, y]
   }
 
   drop(cancelled: boolean): void {
     this.held = null
     this.stroke = null
-    if (cancelled) lab.abandon()
-    else lab.settle()
+    if (cancelled) this.lab.scene.abandon()
+    else this.lab.scene.settle()
     this.movers?.drop(cancelled)
   }
 
   tap(view: View, size: Size, at: Point, coarse: boolean): void {
-    const { discs, grid } = lab
+    const { discs, grid } = this.lab.scene
     const [x, y] = toScene(view, size, at)
     const doubled =
       performance.now() - this.lastTap.time < DOUBLE.time &&
@@ -144,26 +152,26 @@ export class PointerController {
     const cell = this.using === 'paint' && grid ? cellAt(grid, [x, y]) : null
     if (discs && (this.using === 'add' || (doubled && !handle))) {
       this.tool = 'look'
-      lab.inspect(null)
-      lab.addDisc(x, y, NEW_RADIUS)
-    } else if (this.callsAt && (this.using === 'add' || (doubled && !handle && !cell && lab.touring))) {
+      this.lab.selection.inspect(null)
+      this.lab.scene.addDisc(x, y, NEW_RADIUS)
+    } else if (this.callsAt && (this.using === 'add' || (doubled && !handle && !cell && this.lab.setup.touring))) {
       this.tool = 'look'
-      lab.inspect(null)
-      lab.addStop(this.meant(x, y))
+      this.lab.selection.inspect(null)
+      this.lab.scene.addStop(this.meant(x, y))
     } else if (handle) {
-      lab.select(objectOf(handle))
+      this.lab.selection.select(objectOf(handle))
       // What the planner has to say about it.
-      const stops = lab.layers.find(({ pickable, look }) => pickable && look.glyph === 'number')
-      if (handle.kind === 'stop' && stops) lab.inspect({ role: stops.role, index: handle.index })
+      const stops = this.lab.layers.list.find(({ pickable, look }) => pickable && look.glyph === 'number')
+      if (handle.kind === 'stop' && stops) this.lab.selection.inspect({ role: stops.role, index: handle.index })
     } else if (cell) {
       this.cell = cell
       this.toggle()
     } else if (this.role && grid && cellAt(grid, [x, y])) {
-      lab.select(null)
+      this.lab.selection.select(null)
       this.look(cellAt(grid, [x, y]), coarse)
     } else {
-      lab.select(null)
-      void lab.pick(x, y, (coarse ? 22 : 10) / view.scale)
+      this.lab.selection.select(null)
+      void this.lab.selection.pick(x, y, (coarse ? 22 : 10) / view.scale)
     }
   }
 
@@ -171,13 +179,13 @@ export class PointerController {
   private look(cell: Cell | null, coarse: boolean): void {
     const before = this.item
     this.cell = cell
-    const again = coarse && lab.wantedItem && before?.index === this.item?.index
+    const again = coarse && this.lab.selection.wanted && before?.index === this.item?.index
     if (again) this.cell = null
-    lab.inspect(again ? null : this.item)
+    this.lab.selection.inspect(again ? null : this.item)
   }
 
   over(view: View | null, size: Size, at: Point | null): void {
-    const { grid } = lab
+    const { grid } = this.lab.scene
     this.hover = at && view ? this.under(view, size, at, false) : null
     if (!grid || !view || (this.using === 'look' && !this.role)) return
     if (at)
@@ -188,10 +196,10 @@ export class PointerController {
 
   /** The cell that keys paint moves; the first move shows it. */
   walk(columns: number, rows: number): void {
-    const { grid } = lab
+    const { grid } = this.lab.scene
     if (!grid) return
     const limit = (at: number, count: number): number => Math.min(Math.max(at, 0), count - 1)
-    const from = this.cell ?? cellAt(grid, grid.start ?? lab.stops[0] ?? [0, 0]) ?? { column: 0, row: grid.rows.length - 1 }
+    const from = this.cell ?? cellAt(grid, grid.start ?? this.lab.scene.stops[0] ?? [0, 0]) ?? { column: 0, row: grid.rows.length - 1 }
     this.cell = {
       column: limit(from.column + columns, grid.rows[0]?.length ?? 1),
       row: limit(from.row + rows, grid.rows.length),
@@ -201,25 +209,25 @@ export class PointerController {
   /** What the keys' cell is for. */
   act(): void {
     if (this.using === 'paint') this.toggle()
-    else lab.inspect(this.item)
+    else this.lab.selection.inspect(this.item)
   }
 
   private toggle(): void {
-    const { grid } = lab
+    const { grid } = this.lab.scene
     this.painted = true
-    if (grid && this.cell) lab.edit(paint(grid, [this.cell], !isBlocked(grid, this.cell)))
+    if (grid && this.cell) this.lab.scene.edit(paint(grid, [this.cell], !isBlocked(grid, this.cell)))
   }
 
   /** Lets go of everything. */
   leave(): void {
     this.tool = 'look'
     this.cell = null
-    lab.select(null)
-    lab.inspect(null)
+    this.lab.selection.select(null)
+    this.lab.selection.inspect(null)
   }
 
   /** Where the cell is that keys paint, for the view to follow. */
   get cursor(): Point | null {
-    return lab.grid && this.cell ? middleOf(lab.grid, this.cell) : null
+    return this.lab.scene.grid && this.cell ? middleOf(this.lab.scene.grid, this.cell) : null
   }
 }

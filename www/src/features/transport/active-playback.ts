@@ -1,20 +1,20 @@
 import { tick } from 'svelte'
-import { picture } from '../stage/picture'
+import { canvasesOf } from '../stage/canvases'
 import type { Clock } from '../../stores/clock.svelte'
-import { lab } from '../../stores/lab.svelte'
+import type { Lab } from '../../stores/lab.svelte'
 
 /** While a bar with a time of its own is there, the stage's keys are for it. */
-export function takeKeys(clock: Clock, leave: () => void): () => void {
+export function takeKeys({ followers }: Lab, clock: Clock, leave: () => void): () => void {
   const own = { clock, leave }
-  lab.beside = own
+  followers.beside = own
   return () => {
-    if (lab.beside === own) lab.beside = null
+    if (followers.beside === own) followers.beside = null
   }
 }
 
 /** Leaves what has a bar of its own: the bar goes, and with it what was focused. */
-export async function backTo(leave: () => void): Promise<void> {
+export async function backTo(lab: Lab, leave: () => void): Promise<void> {
   leave()
   await tick()
-  if (document.activeElement === document.body) picture.canvas?.focus({ preventScroll: true })
+  if (document.activeElement === document.body) canvasesOf(lab).canvas?.focus({ preventScroll: true })
 }

@@ -1,5 +1,5 @@
 import { tick } from 'svelte'
-import { lab } from '../../stores/lab.svelte'
+import type { Lab } from '../../stores/lab.svelte'
 import { proposed } from '../../stores/proposed.svelte'
 import { route, type View } from '../../stores/route.svelte'
 import type { Case, Run } from './cases'
@@ -13,10 +13,10 @@ async function show(view: View): Promise<void> {
   document.querySelector<HTMLElement>('nav [aria-current="page"]')?.focus()
 }
 
-export function openRun({ scene: name }: Case, { planner, params, seed }: Run): void {
-  const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
+export function openRun(lab: Lab, { scene: name }: Case, { planner, params, seed }: Run): void {
+  const scene = lab.setup.catalogue?.scenes.find((candidate) => candidate.name === name)
   if (!scene) return
-  lab.openCase(planner, scene, { ...params }, seed)
+  lab.setup.openCase(planner, scene, { ...params }, seed)
   void show('stage')
 }
 

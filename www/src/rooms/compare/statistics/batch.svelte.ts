@@ -1,7 +1,8 @@
 import type { Catalogue, ParameterValue, Planner, Scene } from 'forage-lab'
 import { batch as text } from '../../../locales/en/batch'
 import { canRun } from '../../../catalogue/suitability'
-import { lab } from '../../../stores/lab.svelte'
+import { perLab } from '../../../stores/context.svelte'
+import type { Lab } from '../../../stores/lab.svelte'
 import type { ProposedBatch } from '../../../stores/proposed.svelte'
 import { Requests } from '../../../engine/requests'
 import { sameScene } from '../../../scene/equality'
@@ -55,7 +56,7 @@ const wait = (milliseconds: number): Promise<void> => new Promise((resolve) => s
 const stay = (event: BeforeUnloadEvent): void => event.preventDefault()
 
 /** Many runs: what is to be run, what came out, and whether it goes on. It goes on while other views are looked at. */
-class Batch {
+export class Batch {
   scene = $state.raw<Scene | null>(null)
   /** Instead of the one scene: a random map for each seed. */
   maps = $state.raw<Maps | null>(null)
@@ -99,6 +100,8 @@ class Batch {
     rested: () => this.rest(),
   })
 
+  constructor(private readonly lab: Lab) {}
+
   readonly plan = $derived<Plan | null>(
     this.scene && {
       scene: this.scene,
@@ -109,7 +112,9 @@ class Batch {
       iterations: this.iterations,
     },
   )
-  readonly standings = $derived<Standing[]>(this.plan && lab.catalogue ? this.stand(this.plan, lab.catalogue) : [])
+  readonly standings = $derived.by<Standing[]>(() =>
+    this.plan && this.lab.setup.catalogue ? this.stand(this.plan, this.lab.setup.catalogue) : [],
+  )
   /** Those that are run. */
   readonly active = $derived(this.standings.filter(({ trouble }) => trouble === ''))
   readonly total = $derived(this.active.length * this.count)
@@ -143,11 +148,13 @@ class Batch {
       return
     }
     this.scene = scene
-    const first = catalogue.planners.find(({ name }) => name === lab.plannerName)
+    const first = catalogue.planners.find(({ name }) => name === this.lab.setup.plannerName)
     const others = catalogue.planners.filter((planner) => planner.family === first?.family && planner !== first && canRun(planner, scene))
-    this.entrants = [...(first && canRun(first, scene) ? [first] : []), ...others]
-      .slice(0, FIRST)
-      .map((planner, slot) => ({ slot, planner: planner.name, params: planner === first ? applicable(planner, scene, lab.params) : {} }))
+    this.entrants = [...(first && canRun(first, scene) ? [first] : []), ...others].slice(0, FIRST).map((planner, slot) => ({
+      slot,
+      planner: planner.name,
+      params: planner === first ? applicable(planner, scene, this.lab.parameters.values) : {},
+    }))
   }
 
   // The plan
@@ -179,8 +186,8 @@ class Batch {
   add = (planner: string, params: Entrant['params'] = {}): void => {
     if (this.entrants.length >= MOST_ENTRANTS) return
     const slot = this.vacant()
-    const own = planner === lab.plannerName && !this.entrants.some((entrant) => entrant.planner === planner)
-    this.entrants = [...this.entrants, { slot, planner, params: own ? lab.params : params }]
+    const own = planner === this.lab.setup.plannerName && !this.entrants.some((entrant) => entrant.planner === planner)
+    this.entrants = [...this.entrants, { slot, planner, params: own ? this.lab.parameters.values : params }]
     this.changed()
   }
 
@@ -232,7 +239,7 @@ class Batch {
   try = async (slot: number, name: string, value: ParameterValue | string): Promise<string> => {
     const { plan } = this
     const entrant = this.entrants.find((candidate) => candidate.slot === slot)
-    const planner = plan && entrant && lab.catalogue?.planners.find((candidate) => candidate.name === entrant.planner)
+    const planner = plan && entrant && this.lab.setup.catalogue?.planners.find((candidate) => candidate.name === entrant.planner)
     if (!plan || !entrant || !planner) return ''
     const request = this.requests.note()
     const wanted = { ...entrant.params, [name]: value }
@@ -263,7 +270,7 @@ class Batch {
   propose = ({ scene, planners, seeds }: ProposedBatch): void => void this.plans(scene, planners, seeds.from, seeds.count)
 
   private plans(name: string, entrants: Ready['entrants'], from: number, count: number): boolean {
-    const scene = lab.catalogue?.scenes.find((shipped) => shipped.name === name)
+    const scene = this.lab.setup.catalogue?.scenes.find((shipped) => shipped.name === name)
     if (!scene) return false
     this.requests.note(GROUND)
     this.scene = scene
@@ -291,7 +298,7 @@ class Batch {
       this.recall()
       this.trials.start()
     }
-    if (this.plan && lab.catalogue) remember(this.plan, lab.catalogue)
+    if (this.plan && this.lab.setup.catalogue) remember(this.plan, this.lab.setup.catalogue)
     void this.refresh()
   }
 
@@ -305,7 +312,7 @@ class Batch {
     this.cursor = 0
     this.since = { at: performance.now(), done: this.done }
     this.guard()
-    if (this.plan && lab.catalogue) remember(this.plan, lab.catalogue)
+    if (this.plan && this.lab.setup.catalogue) remember(this.plan, this.lab.setup.catalogue)
     this.trials.start()
   }
 
@@ -440,4 +447,4 @@ class Batch {
   }
 }
 
-export const batch = new Batch()
+export const batchOf = perLab((lab) => new Batch(lab))

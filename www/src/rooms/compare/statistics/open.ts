@@ -1,10 +1,10 @@
-import { lab } from '../../../stores/lab.svelte'
+import type { Lab } from '../../../stores/lab.svelte'
 import { route } from '../../../stores/route.svelte'
 import type { Run } from './shown'
 import { looks } from './looks.svelte'
 
 /** Exactly this run, where it ended, on the stage. */
-export function openRun(run: Run, returns = false): Promise<boolean> {
+export function openRun(lab: Lab, run: Run, returns = false): Promise<boolean> {
   if (returns) looks.opened = run.row.link
   route.go('stage')
   return lab.openLink(run.row.link)

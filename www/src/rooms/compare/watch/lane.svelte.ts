@@ -1,9 +1,8 @@
-import type { Outcome, ParameterValue, Scene, TrialCurve } from 'forage-lab'
+import type { Catalogue, Outcome, ParameterValue, Scene, TrialCurve } from 'forage-lab'
 import { sameScene } from '../../../scene/equality'
 import type { Refusal, Report, Run } from '../../../engine/protocol'
 import { RunClient } from '../../../engine/run-client'
 import { en } from '../../../locales/en/page'
-import { lab } from '../../../stores/lab.svelte'
 import { type Names, namesOf } from '../../../render/looks'
 import { Outlet } from '../../../render/outlet'
 import type { FieldRequest, Viewport } from '../../../render/frame'
@@ -60,8 +59,10 @@ export class Lane {
     () => void this.client.want({}),
   )
   /** Whose run it is: another planner may have been chosen. */
-  readonly runner = $derived(lab.catalogue?.planners.find(({ name }) => name === (this.run?.planner ?? this.planner)))
-  private readonly names = $derived<Names>(lab.catalogue ? namesOf(lab.catalogue, this.runner) : { layers: [], shapes: [] })
+  readonly runner = $derived.by(() => this.setup.catalogue?.planners.find(({ name }) => name === (this.run?.planner ?? this.planner)))
+  private readonly names = $derived.by<Names>(() =>
+    this.setup.catalogue ? namesOf(this.setup.catalogue, this.runner) : { layers: [], shapes: [] },
+  )
   outcome = $state.raw<Outcome | null>(null)
   curve = $state.raw<TrialCurve | null>(null)
   settled = $state.raw<Settled | null>(null)
@@ -99,7 +100,11 @@ export class Lane {
     { clock: 'evaluations', speed: Infinity, budget: BUDGET, summary: false, underway: false },
   )
 
-  constructor(planner: string, params: Record<string, ParameterValue> = {}) {
+  constructor(
+    private readonly setup: { readonly catalogue: Catalogue | null },
+    planner: string,
+    params: Record<string, ParameterValue> = {},
+  ) {
     lanes += 1
     this.id = lanes
     this.planner = planner

@@ -1,7 +1,8 @@
 import type { ParameterValue, Planner, Scene } from 'forage-lab'
 import { race as text } from '../../../locales/en/race'
 import { meaningful, standardOn } from '../../../catalogue/parameters'
-import { lab } from '../../../stores/lab.svelte'
+import { perLab } from '../../../stores/context.svelte'
+import type { Lab } from '../../../stores/lab.svelte'
 import type { ProposedRace } from '../../../stores/proposed.svelte'
 import { sameScene } from '../../../scene/equality'
 import { stillness } from '../../../stores/theme.svelte'
@@ -19,7 +20,7 @@ const without = <T>(values: Record<string, T>, name: string): Record<string, T> 
 
 export const [FEWEST, MOST] = [2, 4]
 /** Planners beside each other on the same scene and seed. There is one clock, in evaluations. */
-class Race extends Times {
+export class Race extends Times {
   scene = $state.raw<Scene | null>(null)
   seed = $state(1)
   /** What all of them are to do; scenes with stops and ends leave a choice. */
@@ -33,20 +34,28 @@ class Race extends Times {
   side = $state<Side>('corner')
 
   readonly ranks = $derived(ranks(this.lanes.map(({ racing, mark }) => (racing ? mark : null))))
-  readonly planners = $derived<readonly Planner[]>(this.scene ? fitting(lab.catalogue, this.scene, this.task) : [])
+  readonly planners = $derived.by<readonly Planner[]>(() => (this.scene ? fitting(this.lab.setup.catalogue, this.scene, this.task) : []))
+
+  constructor(private readonly lab: Lab) {
+    super()
+  }
 
   /** The first time it takes up what the lab has. */
   async open(): Promise<void> {
-    if (this.scene || !lab.scene) return
-    const { plannerName: planner, params } = lab
-    const own = lab.catalogue?.planners.find(({ name }) => name === planner)
-    const task = own && tasksOn(lab.catalogue, lab.scene).includes(taskOf(own)) ? taskOf(own) : this.taskOn(lab.scene)
-    await this.set(lab.scene, lab.seed, this.rivals(lab.scene, { planner, params }, task), task)
+    if (this.scene || !this.lab.scene.present) return
+    const { plannerName: planner } = this.lab.setup
+    const { values: params } = this.lab.parameters
+    const own = this.lab.setup.catalogue?.planners.find(({ name }) => name === planner)
+    const task =
+      own && tasksOn(this.lab.setup.catalogue, this.lab.scene.present).includes(taskOf(own))
+        ? taskOf(own)
+        : this.taskOn(this.lab.scene.present)
+    await this.set(this.lab.scene.present, this.lab.setup.seed, this.rivals(this.lab.scene.present, { planner, params }, task), task)
   }
 
   /** The lab's planner and those of its family; whoever is there, where it has none. */
   private rivals(scene: Scene, own: Entry, task: Task): Entry[] {
-    const all = fitting(lab.catalogue, scene, task)
+    const all = fitting(this.lab.setup.catalogue, scene, task)
     const first = all.find(({ name }) => name === own.planner) ?? all[0]
     const others = all.filter((planner) => planner !== first)
     const kin = others.filter(({ family }) => family === first?.family)
@@ -61,7 +70,7 @@ class Race extends Times {
     this.stop()
     this.task = task
     for (const lane of this.lanes) lane.dismiss()
-    this.lanes = entries.map(({ planner, params }) => new Lane(planner, params))
+    this.lanes = entries.map(({ planner, params }) => new Lane(this.lab.setup, planner, params))
     this.place(scene)
     this.seed = seed
     this.chosen = null
@@ -74,11 +83,11 @@ class Race extends Times {
   }
 
   openReady = async ({ scene: name, planners, seed, speed }: Ready): Promise<void> => {
-    const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
+    const scene = this.lab.setup.catalogue?.scenes.find((candidate) => candidate.name === name)
     if (!scene) return
     this.notice = ''
     this.speed = speed
-    const first = lab.catalogue?.planners.find((planner) => planner.name === planners[0])
+    const first = this.lab.setup.catalogue?.planners.find((planner) => planner.name === planners[0])
     const begun = await this.set(
       scene,
       seed,
@@ -90,10 +99,10 @@ class Race extends Times {
 
   /** What another view proposes stands at its start. */
   propose = async ({ scene: name, planners, seed }: ProposedRace): Promise<void> => {
-    const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
+    const scene = this.lab.setup.catalogue?.scenes.find((candidate) => candidate.name === name)
     if (!scene) return
     this.notice = ''
-    const first = lab.catalogue?.planners.find((planner) => planner.name === planners[0]?.planner)
+    const first = this.lab.setup.catalogue?.planners.find((planner) => planner.name === planners[0]?.planner)
     await this.set(scene, seed, planners, first ? taskOf(first) : this.task)
   }
 
@@ -102,13 +111,13 @@ class Race extends Times {
   /** Whoever doesn't run there makes room. */
   setScene = async (scene: Scene): Promise<void> => {
     const task = this.taskOn(scene)
-    const able = fitting(lab.catalogue, scene, task)
+    const able = fitting(this.lab.setup.catalogue, scene, task)
     const staying = this.lanes.filter(({ planner }) => able.some(({ name }) => name === planner))
     const leaving = this.lanes.filter((lane) => !staying.includes(lane))
     const added = able.filter(({ name }) => !staying.some(({ planner }) => planner === name)).slice(0, Math.max(0, FEWEST - staying.length))
     for (const lane of leaving) lane.dismiss()
-    this.lanes = [...staying, ...added.map(({ name }) => new Lane(name))]
-    const title = (name: string): string => lab.catalogue?.planners.find((planner) => planner.name === name)?.title ?? name
+    this.lanes = [...staying, ...added.map(({ name }) => new Lane(this.lab.setup, name))]
+    const title = (name: string): string => this.lab.setup.catalogue?.planners.find((planner) => planner.name === name)?.title ?? name
     this.notice =
       leaving.length > 0
         ? text.left(
@@ -124,7 +133,7 @@ class Race extends Times {
 
   /** As before, where that can be done there. */
   private taskOn(scene: Scene): Task {
-    const tasks = tasksOn(lab.catalogue, scene)
+    const tasks = tasksOn(this.lab.setup.catalogue, scene)
     return tasks.includes(this.task) ? this.task : (tasks[0] ?? 'path')
   }
 
@@ -142,7 +151,7 @@ class Race extends Times {
   add = async (): Promise<void> => {
     const next = this.planners.find(({ name }) => !this.lanes.some(({ planner }) => planner === name)) ?? this.planners[0]
     if (!next || this.lanes.length >= MOST) return
-    const lane = new Lane(next.name)
+    const lane = new Lane(this.lab.setup, next.name)
     this.lanes = [...this.lanes, lane]
     await this.enter(lane)
   }
@@ -154,7 +163,7 @@ class Race extends Times {
   }
 
   setPlanner = async (lane: Lane, planner: string): Promise<void> => {
-    const params = planner === lab.plannerName ? lab.params : {}
+    const params = planner === this.lab.setup.plannerName ? this.lab.parameters.values : {}
     Object.assign(lane, { planner, params, wanted: params, errors: {} })
     await this.enter(lane)
   }
@@ -246,8 +255,8 @@ class Race extends Times {
     const link = await lane.link()
     if (!link.ok) return
     route.go('stage')
-    await lab.openLink(link.value)
+    await this.lab.openLink(link.value)
   }
 }
 
-export const race = new Race()
+export const raceOf = perLab((lab) => new Race(lab))

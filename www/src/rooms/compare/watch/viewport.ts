@@ -1,29 +1,28 @@
 import type { Point, Scene } from 'forage-lab'
 import { type Box, extent, fit, isDown, pan, type Size, type View, zoom } from '../../../render/view'
-import type { Lane } from './lane.svelte'
-import { race } from './race.svelte'
+import type { Race } from './race.svelte'
 import { flattened } from '../../../render/space/projection'
 
 /** Left free about a scene in a lane, in pixels. */
 const MARGINS: Point = [30, 28]
 
 /** What is to be seen: of an arm's scene, what a side shows. */
-function boxOf(scene: Scene, lanes: readonly Lane[]): Box {
+function boxOf({ lanes, side }: Race, scene: Scene): Box {
   if (scene.kind !== 'arm') return extent(scene)
-  return flattened(scene, lanes.find(({ run }) => run)?.run?.skeleton ?? [], race.side).bounds
+  return flattened(scene, lanes.find(({ run }) => run)?.run?.skeleton ?? [], side).bounds
 }
 
 /** All of the scene, in all lanes. */
-export const whole = (scene: Scene, size: Size): View => fit(boxOf(scene, race.lanes), size, MARGINS, isDown(scene))
+export const whole = (race: Race, scene: Scene, size: Size): View => fit(boxOf(race, scene), size, MARGINS, isDown(scene))
 
-export function showAll(): void {
+export function showAll(race: Race): void {
   race.view = null
 }
 
-export function panBy(view: View, dx: number, dy: number): void {
+export function panBy(race: Race, view: View, dx: number, dy: number): void {
   race.view = pan(view, dx, dy)
 }
 
-export function zoomBy(by: number, scene: Scene, size: Size, view: View, at: Point = [size.width / 2, size.height / 2]): void {
-  race.view = zoom(view, size, by, at, whole(scene, size).scale)
+export function zoomBy(race: Race, by: number, scene: Scene, size: Size, view: View, at: Point = [size.width / 2, size.height / 2]): void {
+  race.view = zoom(view, size, by, at, whole(race, scene, size).scale)
 }

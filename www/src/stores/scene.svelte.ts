@@ -1,8 +1,12 @@
 import type { ArmScene, DiscsScene, GridScene, NamedFile, Point, Problem, Scene } from 'forage-lab'
 import { add, edited, move, place, type Plane, remove, rounded, type Selection } from '../scene/edits'
+import type { Requests } from '../engine/requests'
 import * as history from '../scene/undo'
 import { movingOf, onlyMoves } from '../scene/moving'
 import { stopsOf, withStops } from '../scene/stops'
+import { unlessGone } from './questions'
+import type { SelectionStore } from './selection.svelte'
+import type { Subject } from './subjects'
 
 /** Key presses that follow each other within this many milliseconds are one edit. */
 const NUDGING = 800
@@ -22,51 +26,64 @@ export interface ImportedFiles {
   problem: number
 }
 
-/** The scene, its edits and what of it is selected. What follows from a change is told by whoever runs it. */
-export abstract class Scenes {
+/** The scene and its edits. */
+export class SceneStore {
   private scenes = $state.raw<history.History<Scene> | null>(null)
   /** A scene while it is being dragged: not yet a step of the history. */
   private draft = $state.raw<Scene | null>(null)
-  selection = $state.raw<Selection | null>(null)
   /** What was told of the files that the scene was read from. */
   imported = $state.raw<ImportedFiles | null>(null)
   private nudged: { selection: Selection; at: number } | null = null
 
-  readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
-  readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
-  readonly grid = $derived<GridScene | null>(this.scene?.kind === 'grid' ? this.scene : null)
+  readonly present = $derived(this.draft ?? this.scenes?.present ?? null)
+  readonly discs = $derived<DiscsScene | null>(this.present?.kind === 'discs' ? this.present : null)
+  readonly grid = $derived<GridScene | null>(this.present?.kind === 'grid' ? this.present : null)
   /** A scene in space. */
-  readonly arm = $derived<ArmScene | null>(this.scene?.kind === 'arm' ? this.scene : null)
-  readonly plane = $derived<Plane | null>(this.scene && this.scene.kind !== 'function' && this.scene.kind !== 'arm' ? this.scene : null)
+  readonly arm = $derived<ArmScene | null>(this.present?.kind === 'arm' ? this.present : null)
+  readonly plane = $derived<Plane | null>(
+    this.present && this.present.kind !== 'function' && this.present.kind !== 'arm' ? this.present : null,
+  )
   /** Where there is something to call at, in the scene's order. */
-  readonly stops = $derived(this.scene ? stopsOf(this.scene) : [])
+  readonly stops = $derived(this.present ? stopsOf(this.present) : [])
   /** What moves in it, in its order. */
-  readonly moving = $derived(this.scene ? movingOf(this.scene) : [])
+  readonly moving = $derived(this.present ? movingOf(this.present) : [])
   /** The scene has a robot with an outline. */
   readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
   readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
   readonly canRedo = $derived((this.scenes?.future.length ?? 0) > 0)
 
-  /** The run begins again. */
-  protected abstract again(where?: Again): void
+  /** `again`: the run begins again. */
+  constructor(
+    private readonly selected: SelectionStore,
+    private readonly requests: Requests<Subject>,
+    private readonly again: (where?: Again) => unknown,
+  ) {}
 
   /** The run begins again for an edit of what was there before. */
   private after(before: Scene | null, continued: boolean): void {
-    if (onlyMoves(before, this.scene)) this.again(continued ? 'on' : 'here')
+    if (onlyMoves(before, this.present)) this.again(continued ? 'on' : 'here')
     else this.again()
   }
 
   /** Another scene takes the place, as a step of the history or as its beginning. */
-  protected put(scene: Scene, step: boolean): void {
+  put(scene: Scene, step: boolean): void {
+    this.requests.note('scene')
     this.scenes = this.scenes && step ? history.commit(this.scenes, scene) : history.begin(scene)
     this.draft = null
-    this.selection = null
+    this.selected.object = null
     this.imported = null
+  }
+
+  /** The answer to a request for a scene; null if there is another one meanwhile. */
+  ask = async <T>(ask: () => Promise<T>): Promise<T | null> => {
+    const request = this.requests.note('scene')
+    const answer = await ask().catch(unlessGone)
+    return this.requests.replaced(request, 'scene') ? null : answer
   }
 
   /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
   drag = (scene: Scene): void => {
-    const [before, continued] = [this.scene, this.draft !== null]
+    const [before, continued] = [this.present, this.draft !== null]
     this.draft = edited(scene)
     this.after(before, continued)
   }
@@ -86,7 +103,7 @@ export abstract class Scenes {
 
   edit = (scene: Scene): void => {
     if (!this.scenes) return
-    const [before, continued] = [this.scene, this.draft !== null]
+    const [before, continued] = [this.present, this.draft !== null]
     this.draft = null
     this.scenes = history.commit(this.scenes, edited(scene))
     this.after(before, continued)
@@ -97,23 +114,19 @@ export abstract class Scenes {
 
   private travel(by: (from: history.History<Scene>) => history.History<Scene>): void {
     if (!this.scenes) return
-    const before = this.scene
+    const before = this.present
     this.draft = null
     this.scenes = by(this.scenes)
-    this.selection = null
+    this.selected.object = null
     this.imported = null
     this.after(before, false)
-  }
-
-  select = (selection: Selection | null): void => {
-    this.selection = selection
   }
 
   addDisc = (x: number, y: number, radius: number): void => {
     const { discs } = this
     if (!discs) return
     this.edit(add(discs, { center: [x, y], radius }))
-    this.selection = { kind: 'disc', index: discs.discs.length }
+    this.selected.object = { kind: 'disc', index: discs.discs.length }
   }
 
   addStop = (at: Point): void => {
@@ -121,19 +134,25 @@ export abstract class Scenes {
     const added = plane && withStops(plane, (before) => [...before, [rounded(at[0]), rounded(at[1])]])
     if (!added || added === plane) return
     this.edit(added)
-    this.selection = { kind: 'stop', index: stops.length }
+    this.selected.object = { kind: 'stop', index: stops.length }
   }
 
   removeSelected = (): void => {
-    const { plane, selection } = this
+    const {
+      plane,
+      selected: { object: selection },
+    } = this
     const without = plane && remove(plane, selection)
     if (!without || without === plane) return
-    this.selection = null
+    this.selected.object = null
     this.edit(without)
   }
 
   nudge = (dx: number, dy: number): void => {
-    const { plane, selection } = this
+    const {
+      plane,
+      selected: { object: selection },
+    } = this
     if (!plane || !selection) return
     const [x, y] = place(plane, selection)
     this.press(move(plane, selection, [x + dx, y + dy]))
@@ -141,8 +160,8 @@ export abstract class Scenes {
 
   /** A change of what is selected by a key. A row of key presses is one edit. */
   press = (scene: Scene): void => {
-    const { selection } = this
-    const before = this.scene
+    const selection = this.selected.object
+    const before = this.present
     if (!selection || scene === before) return
     const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
     if (goesOn && this.scenes) {

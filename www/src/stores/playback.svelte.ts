@@ -1,32 +1,15 @@
 import type { UncheckedSetup } from 'forage-lab'
-import { en } from '../locales/en/page'
-import type { Questions } from '../engine/host/questions'
-import type { Answer, Progress, Refusal, Report, Start, Target } from '../engine/protocol'
-import { Requests } from '../engine/requests'
-import { Gone, type RunClient } from '../engine/run-client'
+import { stageAt } from '../catalogue/stages'
+import type { Opening, Progress, Report, Target } from '../engine/protocol'
+import type { Requests } from '../engine/requests'
+import type { RunClient } from '../engine/run-client'
+import type { Awaited } from './awaited.svelte'
 import type { Followers } from './followers.svelte'
-import { Scenes } from './scenes.svelte'
-
-const unlessGone = (error: unknown): null => {
-  if (!(error instanceof Gone)) throw error
-  return null
-}
-
-const isUnloaded = (answer: unknown): answer is { ok: false; refusal: Refusal } =>
-  typeof answer === 'object' && answer !== null && (answer as Partial<Extract<Answer<unknown>, { ok: false }>>).refusal?.unloaded === true
-
-/** A refusal as it is shown: where a part could not be loaded, the reason is the browser's. */
-export const worded = (refusal: Refusal): Refusal =>
-  refusal.unloaded ? { ...refusal, message: en.notices.unloaded(refusal.message) } : refusal
-
-/** Where a run begins. */
-export type Opening = Omit<Start, 'setup'>
-
-/** What requests are about. */
-type Subject = 'iteration' | 'playing' | 'scene' | 'setup' | 'seed' | 'inspection' | 'run'
+import type { RunStore } from './run.svelte'
+import type { Subject } from './subjects'
 
 /** Where the run is and where the user wants it. The engine converges to the newest. */
-export abstract class Transport extends Scenes {
+export class PlaybackStore {
   iteration = $state(0)
   playing = $state(false)
   /** Where a seek, or a new run, is on its way to. */
@@ -37,66 +20,37 @@ export abstract class Transport extends Scenes {
   /** Of the run, where it was wanted: empty before it is there. */
   hash = $state('')
 
-  protected readonly requests = new Requests<Subject>()
   /** A new run is on its way. */
-  protected restarting = $state(false)
+  restarting = $state(false)
   /** Steps that are taken once the changes before them are known, and the number of the newest request for one. */
   private steps: { n: number; since: number } | null = null
-  /** Answers that changes wait for. Each is listed until it was acted on. */
-  protected awaited = $state.raw<readonly Promise<void>[]>([])
-
-  abstract readonly limit: number
   /** True from a change until its first picture: the old one must not pass for the new. */
-  abstract readonly stale: boolean
-  abstract readonly followers: Followers
-  protected abstract readonly client: RunClient
-  /** Nothing but the run itself is shown. */
-  protected abstract stopPlayback(): void
+  readonly stale = $derived.by(() => this.restarting || this.run.failed || this.awaited.any)
+  /** The part of the run that it is in, and how far in it. */
+  readonly part = $derived.by(() => stageAt(this.run.stages, this.iteration))
 
-  /** For questions to the run. A refusal says in the page's words that a part could not be loaded. */
-  readonly api = new Proxy({} as Questions, {
-    get:
-      (_, name: string) =>
-      async (...given: unknown[]) => {
-        const questions = this.client.api as unknown as Record<string, (...given: unknown[]) => Promise<unknown>>
-        const answer = await questions[name]?.(...given)
-        return isUnloaded(answer) ? { ...answer, refusal: worded(answer.refusal) } : answer
-      },
-  })
+  constructor(
+    private readonly client: RunClient,
+    private readonly requests: Requests<Subject>,
+    private readonly awaited: Awaited,
+    private readonly run: RunStore,
+    private readonly followers: Followers,
+  ) {}
 
-  /** The answer to a request for a scene; null if there is another one meanwhile. */
-  askForScene = async <T>(ask: () => Promise<T>): Promise<T | null> => {
-    const request = this.requests.note('scene')
-    const answer = await ask().catch(unlessGone)
-    return this.requests.replaced(request, 'scene') ? null : answer
-  }
-
-  /** Asks something that a change depends on, and makes the change. */
-  protected await<T>(ask: () => Promise<T>, change: (answer: T) => void): Promise<void> {
-    const changed = ask()
-      .then(change)
-      .catch((error: unknown) => void unlessGone(error))
-    this.awaited = [...this.awaited, changed]
-    return changed.finally(() => (this.awaited = this.awaited.filter((other) => other !== changed)))
-  }
-
-  /** Starts a run; returns the number of this change. A seek, play or pause that was requested after request number `since` holds for it. */
-  protected start(setup: UncheckedSetup, { at, play }: Opening, since = this.requests.note('setup')): number {
+  /** Starts a run; `check`: something of its setup waits for being accepted. Returns the number of this change. A seek, play or pause that was requested after request number `since` holds for it. */
+  start(setup: UncheckedSetup, check: boolean, { at, play }: Opening, since = this.requests.note('setup')): number {
     this.requested = {
       at: this.requests.replaced(since, 'iteration') ? this.requested.at : at,
       play: this.requests.replaced(since, 'playing') ? this.requested.play : play,
     }
     this.requests.note('run')
-    const version = this.client.want({ start: { setup, ...this.requested, check: this.checks } })
+    const version = this.client.want({ start: { setup, ...this.requested, check } })
     this.showHeading()
     return version
   }
 
-  /** Something of the setup waits for being accepted. */
-  protected abstract readonly checks: boolean
-
   /** Where the newest request wants the run, or its successor. */
-  protected requested: Opening = { at: 0, play: false }
+  requested: Opening = { at: 0, play: false }
 
   private head(target: Target): void {
     this.requested = { at: target.at ?? this.requested.at, play: target.play }
@@ -106,7 +60,7 @@ export abstract class Transport extends Scenes {
   }
 
   /** Shows what is wanted before there is a picture of it. */
-  protected showHeading(): void {
+  showHeading(): void {
     const { at = null, play } = this.client.heading
     this.playing = play
     this.target = at
@@ -115,7 +69,7 @@ export abstract class Transport extends Scenes {
   }
 
   /** The run has come farther. */
-  protected showReport(report: Report): void {
+  showReport(report: Report): void {
     this.iteration = report.iteration
     this.showHeading()
     this.hash = (!this.restarting && this.client.follows(report) ? report.hash : null) ?? ''
@@ -124,7 +78,7 @@ export abstract class Transport extends Scenes {
   toggle = (): void => (this.playing ? this.pause() : this.play())
 
   play = (): void => {
-    this.stopPlayback()
+    this.followers.stop()
     this.setPlaying(true)
   }
 
@@ -151,12 +105,12 @@ export abstract class Transport extends Scenes {
     const iteration = Math.max(Math.round(to), 0)
     this.followers.leave()
     // How long the next run is, is not known before it has started.
-    this.head({ at: this.stale ? iteration : Math.min(iteration, this.limit), play: false })
+    this.head({ at: this.stale ? iteration : Math.min(iteration, this.run.limit), play: false })
   }
 
   stepBy = (n: number): void => {
     const { steps } = this
-    if (!steps && this.awaited.length === 0) {
+    if (!steps && !this.awaited.any) {
       this.seek(this.place + n)
       return
     }
@@ -166,15 +120,15 @@ export abstract class Transport extends Scenes {
 
   /** Where a change puts the run must be known before steps can be counted from there. */
   private async takeSteps(): Promise<void> {
-    while (this.awaited.length > 0) await Promise.allSettled(this.awaited)
+    await this.awaited.all()
     const { steps } = this
     this.steps = null
     if (steps && !this.overruled(steps.since)) this.seek(this.place + steps.n)
   }
 
   /** Nothing waits for an answer any more: the thread broke down. */
-  protected forget(): void {
-    this.awaited = []
+  forget(): void {
+    this.awaited.forget()
     this.steps = null
     this.underway = null
     this.showHeading()
@@ -188,7 +142,7 @@ export abstract class Transport extends Scenes {
   /** Where the run is, or is on its way to. */
   private get place(): number {
     const at = this.target ?? this.iteration
-    return this.restarting ? at : Math.min(at, this.limit)
+    return this.restarting ? at : Math.min(at, this.run.limit)
   }
 
   setSpeed = (speed: number): void => {

@@ -1,0 +1,161 @@
+import type { Catalogue, LinkSetup, ParameterValue, Planner, Scene, UncheckedSetup, When } from 'forage-lab'
+import { meaningful, met } from '../catalogue/parameters'
+import type { Questions } from '../engine/host/questions'
+import type { Opening } from '../engine/protocol'
+import type { Requests } from '../engine/requests'
+import { en } from '../locales/en/page'
+import { suits } from '../scene/stops'
+import type { Awaited } from './awaited.svelte'
+import type { NoticesStore } from './notices.svelte'
+import type { ParametersStore } from './parameters.svelte'
+import type { Again, SceneStore } from './scene.svelte'
+import type { Subject } from './subjects'
+import { stillness } from './theme.svelte'
+
+/** What is shown where nothing else is asked for. */
+export const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
+
+/** What a tuning came to: a planner and its parameters. */
+export interface Tuned {
+  planner: string
+  params: Record<string, ParameterValue>
+}
+
+/** How the run begins again, with another setup. */
+export interface Begin {
+  again(where?: Again, since?: number): number
+  restart(opening: Opening): number
+}
+
+/** What is planned with what: planner, scene, parameters and seed. */
+export class SetupStore {
+  catalogue = $state.raw<Catalogue | null>(null)
+  plannerName = $state(FIRST.planner)
+  seed = $state(FIRST.seed)
+  private tuner: Tuned | null = null
+
+  readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
+  /** What is looked for is a tour through the stops: start and goal mean nothing. */
+  readonly touring = $derived.by(() => this.scene.present?.kind === 'tour' || (this.scene.grid !== null && (this.planner?.stops ?? false)))
+  /** It tells what happens and what it decides. */
+  readonly eventful = $derived((this.planner?.events.length ?? 0) > 0)
+  /** It plans in an arm's joints, and tells of each node: its costs are angles. */
+  readonly inJoints = $derived(this.planner?.members.some(({ name }) => name === 'q1') ?? false)
+
+  constructor(
+    private readonly scene: SceneStore,
+    private readonly parameters: ParametersStore,
+    private readonly notices: NoticesStore,
+    private readonly awaited: Awaited,
+    private readonly requests: Requests<Subject>,
+    private readonly api: Questions,
+    private readonly begin: Begin,
+  ) {}
+
+  shipped(name: string): Scene {
+    const scenes = this.catalogue?.scenes ?? []
+    const scene = scenes.find((candidate) => candidate.name === name) ?? scenes[0]
+    if (!scene) throw new Error('no scene ships')
+    return scene
+  }
+
+  /** As the engine takes it, on this scene. */
+  wanted(scene: Scene): UncheckedSetup {
+    const params = this.planner ? meaningful(this.planner, scene, this.parameters.wanted) : {}
+    return { planner: this.plannerName, scene, params, seed: this.seed }
+  }
+
+  /** Whether what is chosen is not this. */
+  differsFrom(present: UncheckedSetup | undefined): boolean {
+    const scene = this.scene.present
+    if (!scene || !present) return true
+    const { planner, seed, params } = this.wanted(scene)
+    return (
+      present.scene !== scene || JSON.stringify([planner, seed, params]) !== JSON.stringify([present.planner, present.seed, present.params])
+    )
+  }
+
+  /** Whether a condition on the parameters is met. */
+  met = (when: When | undefined): boolean => {
+    const { planner } = this
+    const scene = this.scene.present
+    return Boolean(planner && scene && met(when, planner.parameters, scene.kind, this.parameters.values))
+  }
+
+  /** Takes what a link has. `step`: the scene of before is a step back. */
+  take({ planner, scene, params, seed }: Pick<LinkSetup, 'planner' | 'scene' | 'params' | 'seed'>, step: boolean): void {
+    this.plannerName = planner
+    this.scene.put(scene, step)
+    this.parameters.replace(params)
+    this.seed = seed
+    this.notices.text = ''
+  }
+
+  setPlanner = (name: string): void => {
+    const planner = this.catalogue?.planners.find((candidate) => candidate.name === name)
+    if (!planner || name === this.plannerName) return
+    this.parameters.errors = {}
+    if (this.tuner?.planner === name) this.parameters.replace(this.tuner.params)
+    this.tuner = null
+    this.plannerName = name
+    // Where it doesn't run, it brings a scene of its own.
+    const { present } = this.scene
+    const other = present && !suits(planner, present) && this.catalogue?.scenes.find((scene) => suits(planner, scene))
+    if (other) this.scene.put(other, true)
+    this.begin.again()
+  }
+
+  openScene = (scene: Scene): void => {
+    this.notices.text = ''
+    this.scene.put(scene, true)
+    this.begin.again()
+  }
+
+  /** A planner, a scene, parameters and a seed at once: they show what was meant to be seen. */
+  openCase = (planner: string, scene: Scene, params: Record<string, ParameterValue>, seed = FIRST.seed): void => {
+    this.notices.text = ''
+    this.tuner = null
+    this.plannerName = planner
+    this.parameters.replace(params)
+    this.seed = seed
+    this.requests.note('seed')
+    if (scene !== this.scene.present) this.scene.put(scene, true)
+    this.begin.restart({ at: 0, play: !stillness.matches })
+  }
+
+  /** Another planner takes the place of one that doesn't run on such scenes. */
+  suit(scene: Scene): void {
+    if (!this.planner || suits(this.planner, scene)) return
+    const other = this.catalogue?.planners.find((planner) => suits(planner, scene))
+    if (!other) return
+    this.notices.text = en.notices.kind(this.planner.title, scene.title, other.title)
+    this.parameters.errors = {}
+    this.plannerName = other.name
+  }
+
+  /** Runs the planner that was tuned, with what the tuning came to. The tuner's own parameters wait for its return. */
+  useTuned = ({ planner, params }: Tuned): void => {
+    this.tuner = { planner: this.plannerName, params: this.parameters.values }
+    this.plannerName = planner
+    this.parameters.replace(params)
+    this.begin.again()
+  }
+
+  setSeed = (seed: number): void => {
+    this.requests.note('seed')
+    this.seed = seed
+    this.begin.again()
+  }
+
+  newSeed = (): Promise<void> => {
+    const request = this.requests.note('seed')
+    return this.awaited.add(
+      () => this.api.newSeed(),
+      (seed) => {
+        if (this.requests.replaced(request, 'seed')) return
+        this.seed = seed
+        this.begin.again('begin', request)
+      },
+    )
+  }
+}

@@ -1,0 +1,123 @@
+import type { LinkSetup } from 'forage-lab'
+import type { Questions } from '../engine/host/questions'
+import type { Opening, Refusal, Report } from '../engine/protocol'
+import type { Requests } from '../engine/requests'
+import type { RunClient } from '../engine/run-client'
+import { en } from '../locales/en/page'
+import type { Awaited } from './awaited.svelte'
+import type { Followers } from './followers.svelte'
+import type { LayersStore } from './layers.svelte'
+import type { NoticesStore } from './notices.svelte'
+import { type PageKeys, readPageKeys } from './page-keys'
+import type { ParametersStore } from './parameters.svelte'
+import type { PictureStore } from './picture.svelte'
+import type { PlaybackStore } from './playback.svelte'
+import type { RunStore } from './run.svelte'
+import type { Again, SceneStore } from './scene.svelte'
+import type { SelectionStore } from './selection.svelte'
+import type { SetupStore } from './setup.svelte'
+import type { Subject } from './subjects'
+import { stillness } from './theme.svelte'
+
+/** What a start is made of and what it changes. */
+interface Stores {
+  readonly api: Questions
+  readonly followers: Followers
+  readonly layers: LayersStore
+  readonly notices: NoticesStore
+  readonly parameters: ParametersStore
+  readonly picture: PictureStore
+  readonly playback: PlaybackStore
+  readonly run: RunStore
+  readonly scene: SceneStore
+  readonly selection: SelectionStore
+  readonly setup: SetupStore
+}
+
+/** How runs begin: from links, after changes, and after one that was refused. */
+export class Starts {
+  /** The fingerprint that an opened link promises, and where. */
+  private promised: { hash: string; at: number } | undefined
+
+  constructor(
+    private readonly stores: Stores,
+    private readonly client: RunClient,
+    private readonly requests: Requests<Subject>,
+    private readonly awaited: Awaited,
+  ) {}
+
+  openLink = async (link: string): Promise<boolean> => {
+    const request = this.requests.note('setup', 'seed')
+    let opened = true
+    await this.awaited.add(
+      async () => this.stores.api.parseLink(link),
+      (answer) => {
+        opened = answer.ok
+        if (!answer.ok) this.stores.notices.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))
+        else if (!this.requests.replaced(request, 'setup')) {
+          this.openSetup(answer.value, request)
+          this.applyPageKeys(readPageKeys(link))
+        }
+      },
+    )
+    return opened
+  }
+
+  private openSetup(setup: LinkSetup, request: number): void {
+    const { iteration, hash } = setup
+    // What opens on a link has nothing to go back to.
+    this.stores.setup.take(setup, this.stores.run.present !== null)
+    this.promised = hash === undefined ? undefined : { hash, at: iteration }
+    this.restart({ at: iteration, play: false }, request)
+  }
+
+  private applyPageKeys({ item, camera, layers }: PageKeys): void {
+    this.stores.layers.chosen = { ...this.stores.layers.chosen, ...layers }
+    this.stores.picture.wantedCamera = camera
+    if (item && this.stores.setup.planner?.layers.some(({ role, pickable }) => role === item.role && pickable))
+      this.stores.selection.inspect(item)
+  }
+
+  /** Starts a new run; the number of that change, or 0 if there is no scene yet. */
+  restart(opening: Opening, since?: number): number {
+    this.stores.followers.stop()
+    const { present } = this.stores.scene
+    return present ? this.stores.playback.start(this.stores.setup.wanted(present), this.stores.parameters.checks, opening, since) : 0
+  }
+
+  begin(opening: Opening): number {
+    this.promised = undefined
+    return this.restart(opening)
+  }
+
+  again(where: Again = 'begin', since?: number): number {
+    this.promised = undefined
+    const { playback, run } = this.stores
+    const scene = this.stores.scene.present
+    // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
+    if (scene && (scene.kind !== run.present?.scene.kind || scene.name !== run.present.scene.name)) this.stores.setup.suit(scene)
+    if (where === 'on' || (where === 'here' && playback.restarting)) return this.restart(playback.requested, since)
+    const at = where === 'here' && !run.finished ? (playback.target ?? playback.iteration) : 0
+    return this.restart({ at, play: playback.playing || !run.present || (run.finished && !stillness.matches) }, since)
+  }
+
+  /** The run that change number `version` wanted is refused. */
+  refuse(refusal: Refusal, version: number): void {
+    const { parameters, playback, run, setup } = this.stores
+    playback.showHeading()
+    if (refusal.unloaded || !setup.planner?.parameters.some(({ name }) => name === refusal.field)) {
+      run.refuse(refusal)
+      return
+    }
+    // What else was wanted with a value that is taken back is still wanted.
+    const back = parameters.refuse(refusal, version)
+    if (back && !this.client.starting && setup.differsFrom(this.client.desired.start?.setup)) this.restart(playback.requested)
+  }
+
+  /** Whether the run of a link is the one that the link promises. */
+  compare({ iteration, hash }: Report): void {
+    if (this.promised?.at !== iteration) return
+    if (this.promised.hash !== hash) this.stores.notices.text = en.notices.hash
+    this.promised = undefined
+  }
+}
