@@ -66,8 +66,11 @@ export const rise = ({ down }: View): 1 | -1 => (down ? -1 : 1)
 /** Left free about a scene that is shown whole, in pixels; below as much as above unless it says otherwise. */
 export type Margins = readonly [beside: number, above: number, below?: number]
 
-/** The stage's tools are in a column beside the scene, or in a row below it. */
-export const margins = (column: boolean): Margins => (column ? [64, 38] : [38, 38, 76])
+/** On a stage of at least this width tools stand in a column; on others they lie below. */
+const WIDE = 720
+
+/** Room about a scene for labels and, unless the stage is bare, tools. */
+export const margins = (width: number, bare: boolean): Margins => (bare ? [30, 28] : width > WIDE ? [64, 38] : [38, 38, 76])
 
 /** The view that shows the whole box. */
 export function fit({ min, max }: Box, { width, height }: Size, [beside, above, below = above]: Margins, down = false): View {

@@ -14,10 +14,10 @@ import { questionsTo, worded } from './questions'
 import { RunStore } from './run.svelte'
 import { SceneStore } from './scene.svelte'
 import { SelectionStore } from './selection.svelte'
-import { FIRST, SetupStore } from './setup.svelte'
+import { SetupStore } from './setup.svelte'
 import { Starts } from './starts'
 import type { Subject } from './subjects'
-import { stillness } from './theme.svelte'
+import { stillness, type Theme } from './theme.svelte'
 
 export type Phase = 'loading' | 'ready' | 'crashed'
 
@@ -29,6 +29,13 @@ export interface Address {
   readonly watched: boolean
   /** The newest link of the run: at once where it stays, seldom while it plays. */
   write(link: string, when: 'now' | 'soon'): void
+}
+
+/** A planner, a scene that ships, and a seed. */
+export interface Standard {
+  planner: string
+  scene: string
+  seed: number
 }
 
 /** One run and all that is known and wanted of it: stores of one subject each, and what connects them. */
@@ -85,7 +92,12 @@ export class Lab {
   )
   readonly drivable = $derived.by(() => this.scene.hasRobot && this.followable)
 
-  constructor(private readonly address: Address) {}
+  constructor(
+    private readonly address: Address,
+    readonly theme: Theme,
+    /** What is shown where nothing else is asked for. */
+    private readonly standard: Standard,
+  ) {}
 
   /** Starts a thread. After a crash it begins with what the user had made. */
   async open(): Promise<void> {
@@ -100,7 +112,7 @@ export class Lab {
         return
       }
       if (this.opened) this.phase = 'ready'
-      this.scene.put(this.setup.shipped(FIRST.scene), false)
+      this.setup.begin(this.standard)
     }
     // Nothing was wanted before it broke down.
     if (!this.client.desired.start) await this.openFirst()

@@ -4,17 +4,19 @@ import { useHost } from '../engine/host'
 import { Gone } from '../engine/run-client'
 import { en } from '../locales/en/page'
 import { type Address, Lab } from './lab.svelte'
+import { Theme } from './theme.svelte'
 
 vi.mock('./catalogue', () => ({ readCatalogue: () => Promise.resolve(catalogue) }))
 
 /** A run that has no address. */
+const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 const nowhere: Address = { first: null, watched: true, write: () => undefined }
 
 /** The page's state with a worker that answers by hand, at rest at iteration 0. */
 async function opened(): Promise<{ lab: Lab; worker: FakeWorker }> {
   const worker = new FakeWorker()
   useHost(worker.host)
-  const lab = new Lab(nowhere)
+  const lab = new Lab(nowhere, new Theme(), FIRST)
   void lab.open()
   await worker.receiveAll()
   return { lab, worker }
@@ -421,7 +423,7 @@ test('what a thread was asked that broke down is not asked again, and what the u
 test('a link in the address is opened after a thread has broken down before it was read', async () => {
   const fake = new FakeWorker()
   useHost(fake.host)
-  const page = new Lab({ ...nowhere, first: '#pso,other,3,25' })
+  const page = new Lab({ ...nowhere, first: '#pso,other,3,25' }, new Theme(), FIRST)
   void page.open()
   while (fake.waiting < 2) await passed()
   fake.crash('no core')

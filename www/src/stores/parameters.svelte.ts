@@ -59,9 +59,9 @@ export class ParametersStore {
   }
 
   /** Both sizes at once, and one new run. */
-  useSuggestion = ({ population, iterations }: Suggestion): void => {
-    this.drop((name) => name === 'population' || name === 'iterations')
-    this.values = { ...this.values, population, iterations }
+  useSuggestion = (suggestion: Suggestion): void => {
+    this.drop((name) => name in suggestion)
+    this.values = { ...this.values, ...suggestion }
     this.again()
   }
 

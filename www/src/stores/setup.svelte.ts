@@ -12,9 +12,6 @@ import type { Again, SceneStore } from './scene.svelte'
 import type { Subject } from './subjects'
 import { stillness } from './theme.svelte'
 
-/** What is shown where nothing else is asked for. */
-export const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
-
 /** What a tuning came to: a planner and its parameters. */
 export interface Tuned {
   planner: string
@@ -30,8 +27,8 @@ export interface Begin {
 /** What is planned with what: planner, scene, parameters and seed. */
 export class SetupStore {
   catalogue = $state.raw<Catalogue | null>(null)
-  plannerName = $state(FIRST.planner)
-  seed = $state(FIRST.seed)
+  plannerName = $state('')
+  seed = $state(1)
   private tuner: Tuned | null = null
 
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
@@ -49,14 +46,21 @@ export class SetupStore {
     private readonly awaited: Awaited,
     private readonly requests: Requests<Subject>,
     private readonly api: Questions,
-    private readonly begin: Begin,
+    private readonly start: Begin,
   ) {}
 
-  shipped(name: string): Scene {
+  private shipped(name: string): Scene {
     const scenes = this.catalogue?.scenes ?? []
     const scene = scenes.find((candidate) => candidate.name === name) ?? scenes[0]
     if (!scene) throw new Error('no scene ships')
     return scene
+  }
+
+  /** What is shown where nothing else is asked for. */
+  begin({ planner, scene, seed }: { planner: string; scene: string; seed: number }): void {
+    this.plannerName = planner
+    this.seed = seed
+    this.scene.put(this.shipped(scene), false)
   }
 
   /** As the engine takes it, on this scene. */
@@ -102,17 +106,17 @@ export class SetupStore {
     const { present } = this.scene
     const other = present && !suits(planner, present) && this.catalogue?.scenes.find((scene) => suits(planner, scene))
     if (other) this.scene.put(other, true)
-    this.begin.again()
+    this.start.again()
   }
 
   openScene = (scene: Scene): void => {
     this.notices.text = ''
     this.scene.put(scene, true)
-    this.begin.again()
+    this.start.again()
   }
 
   /** A planner, a scene, parameters and a seed at once: they show what was meant to be seen. */
-  openCase = (planner: string, scene: Scene, params: Record<string, ParameterValue>, seed = FIRST.seed): void => {
+  openCase = (planner: string, scene: Scene, params: Record<string, ParameterValue>, seed = 1): void => {
     this.notices.text = ''
     this.tuner = null
     this.plannerName = planner
@@ -120,7 +124,7 @@ export class SetupStore {
     this.seed = seed
     this.requests.note('seed')
     if (scene !== this.scene.present) this.scene.put(scene, true)
-    this.begin.restart({ at: 0, play: !stillness.matches })
+    this.start.restart({ at: 0, play: !stillness.matches })
   }
 
   /** Another planner takes the place of one that doesn't run on such scenes. */
@@ -138,13 +142,13 @@ export class SetupStore {
     this.tuner = { planner: this.plannerName, params: this.parameters.values }
     this.plannerName = planner
     this.parameters.replace(params)
-    this.begin.again()
+    this.start.again()
   }
 
   setSeed = (seed: number): void => {
     this.requests.note('seed')
     this.seed = seed
-    this.begin.again()
+    this.start.again()
   }
 
   newSeed = (): Promise<void> => {
@@ -154,7 +158,7 @@ export class SetupStore {
       (seed) => {
         if (this.requests.replaced(request, 'seed')) return
         this.seed = seed
-        this.begin.again('begin', request)
+        this.start.again('begin', request)
       },
     )
   }

@@ -3,19 +3,25 @@ import { recall, remember } from './storage'
 export const CHOICES = ['system', 'light', 'dark'] as const
 export type Choice = (typeof CHOICES)[number]
 
-const isChoice = (value: string | null): value is Choice => CHOICES.some((choice) => choice === value)
+export const isChoice = (value: string | null): value is Choice => CHOICES.some((choice) => choice === value)
 
-class Theme {
+const night = matchMedia('(prefers-color-scheme: dark)')
+
+/** Whether it is drawn for day or night. */
+export class Theme {
   choice = $state<Choice>('system')
-  private system = $state(false)
+  private system = $state(night.matches)
   readonly dark = $derived(this.choice === 'dark' || (this.choice === 'system' && this.system))
 
   constructor() {
+    night.addEventListener('change', ({ matches }) => (this.system = matches))
+  }
+
+  /** The choice of before, where the browser remembers it. */
+  recall(): this {
     const stored = recall('theme')
     if (isChoice(stored)) this.choice = stored
-    const query = matchMedia('(prefers-color-scheme: dark)')
-    this.system = query.matches
-    query.addEventListener('change', ({ matches }) => (this.system = matches))
+    return this
   }
 
   choose(choice: Choice): void {
@@ -24,5 +30,4 @@ class Theme {
   }
 }
 
-export const theme = new Theme()
 export const stillness = matchMedia('(prefers-reduced-motion: reduce)')

@@ -72,7 +72,7 @@ export class Lab {
   async whereIs(scene: Scene, point: Point): Promise<{ x: number; y: number }> {
     const box = await this.stage.boundingBox()
     if (!box) throw new Error('no stage')
-    const [x, y] = toScreen(fit(extent(scene), box, margins((this.page.viewportSize()?.width ?? 0) > 900), isDown(scene)), box, point)
+    const [x, y] = toScreen(fit(extent(scene), box, margins(box.width, false), isDown(scene)), box, point)
     return { x: box.x + x, y: box.y + y }
   }
 

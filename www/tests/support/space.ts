@@ -16,8 +16,7 @@ export async function seenAt(lab: Lab, scene: ArmScene, point: Point3, side: Sid
   const box = await lab.stage.boundingBox()
   if (!box) throw new Error('no stage')
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, box.width / box.height)
-  const column = (lab.page.viewportSize()?.width ?? 0) > 900
-  aim(camera, fit(whole(scene.workspace, scene.arm), box, margins(column), SIDES[side]))
+  aim(camera, fit(whole(scene.workspace, scene.arm), box, margins(box.width, false), SIDES[side]))
   const at = new Vector3(...point).project(camera)
   return { x: box.x + ((at.x + 1) / 2) * box.width, y: box.y + ((1 - at.y) / 2) * box.height }
 }

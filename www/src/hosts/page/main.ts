@@ -1,5 +1,6 @@
 import { mount } from 'svelte'
 import App from './App.svelte'
+import Frame from './Frame.svelte'
 import { useHost } from '../../engine/host'
 import { Gone } from '../../engine/run-client'
 import { pageHost } from './host'
@@ -22,4 +23,4 @@ addEventListener('unhandledrejection', (event) => {
 })
 
 const target = document.getElementById('app')
-if (target) mount(App, { target })
+if (target) mount(new URLSearchParams(location.search).has('embed') ? Frame : App, { target })

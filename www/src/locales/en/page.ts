@@ -118,6 +118,10 @@ export const en = {
     starting: 'starting …',
     status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution' },
   },
+  embed: {
+    label: (planner: string, scene: string) => (planner ? `${planner} on ${scene}` : 'A run in Forage'),
+    whole: 'Open in Forage',
+  },
   live: {
     best: (value: string) => `best ${value}`,
     collisions: (count: string) => `collisions: ${count}`,
