@@ -255,6 +255,12 @@ export type Say = (key: string, args: Record<string, number | string>) => string
 export function speakBy(say: Say): void;
 
 /**
+ * From where the package's files come, if not from where the package is: \`serve('grid.wasm')\` and
+ * \`serve('locales/en/grid.json')\` promise responses. To be called before anything is loaded. In Node they are read from where they are.
+ */
+export function serveBy(serve: (file: string) => Promise<Response>): void;
+
+/**
  * In a page, before anything else: loads the swarms and links. In Node everything is ready on import.
  * @param source where the first part is, if it is not with the package's files, or what it was compiled to
  */
@@ -334,18 +340,21 @@ const description = {
   license: crate.license,
   keywords: crate.keywords,
   engines: { node: '>=20' },
-  files: readdirSync(folder).filter((file) => !['package.json', 'glue.d.ts'].includes(file)),
+  // The element's script is built with the page.
+  files: [...readdirSync(folder).filter((file) => !['package.json', 'glue.d.ts', 'element.js'].includes(file)), 'element.js'],
   main: './node.js',
   module: './forage.js',
   types: './forage.d.ts',
   // They set up what is loaded; the catalogue is left out where nobody asks for it.
-  sideEffects: ['./page.js', './node.js', './*.node.js', './session-worker.js'],
+  sideEffects: ['./page.js', './node.js', './*.node.js', './session-worker.js', './element.js'],
   exports: {
     '.': entry('forage', 'forage', 'node'),
     ...Object.fromEntries(['swarm', ...parts].map((part) => [`./${part}`, entry('part', part, `${part}.node`)])),
     './worker': entry('worker', 'worker', 'worker.node'),
     './session-worker': entry('session-worker', 'session-worker', 'session-worker.node'),
     './core': { types: './core.d.ts', default: './core.js' },
+    './element': { types: './element.d.ts', default: './element.js' },
+    './embed': { types: './embed.d.ts', default: './embed.js' },
     './words': { types: './words.d.ts', default: './words.js' },
     './*.wasm': './*.wasm',
     './locales/*': './locales/*',

@@ -43,5 +43,8 @@ export async function ready(make) {
   return make()
 }
 
+/** In Node files are read from where they are. */
+export function serveBy() {}
+
 /** In Node everything is ready on import; this keeps code that calls `await init()` working. */
 export default async function init() {}

@@ -38,18 +38,31 @@ function once(key, make) {
   return made
 }
 
-async function response(url) {
-  const found = await fetch(url)
-  if (!found.ok) throw new Error(`${found.status} ${found.statusText}: ${url}`)
+let serve = (_, url) => fetch(url())
+/** The first part, if nobody says where it is; else it is where this file is. */
+let first = () => undefined
+
+/**
+ * From where the package's files come, if not from where this one is: `serve('grid.wasm')` and `serve('locales/en/grid.json')`
+ * promise responses. To be called before anything is loaded.
+ */
+export function serveBy(from) {
+  serve = from
+  first = () => from('forage_bg.wasm')
+}
+
+async function response(name, url) {
+  const found = await serve(name, url)
+  if (!found.ok) throw new Error(`${found.status} ${found.statusText}: ${name}`)
   return found
 }
 
 async function compiled(file) {
-  const found = await response(urls[file]())
+  const found = await response(`${file}.wasm`, urls[file])
   const bytes = found.clone()
   return WebAssembly.compileStreaming(found).catch(async (error) => {
     if (found.headers.get('content-type') === 'application/wasm') throw error
-    console.warn(`${urls[file]()} is not served as application/wasm: it is compiled after it has come, not meanwhile.`)
+    console.warn(`${file}.wasm is not served as application/wasm: it is compiled after it has come, not meanwhile.`)
     return WebAssembly.compile(await bytes.arrayBuffer())
   })
 }
@@ -58,7 +71,7 @@ let ours
 
 /** The first part, ready for others. */
 function core(source) {
-  ours ??= begin(source).then(
+  ours ??= begin(source ?? first()).then(
     (exports) => {
       share(exports)
       askBy((parts, known) => {
@@ -86,7 +99,7 @@ const spoken = (part) =>
   once(`words ${part}`, async () => {
     if (!speaksEnglish()) return
     const { speaker, words } = await import('./english.js')
-    const patterns = await (await response(words[part]())).json()
+    const patterns = await (await response(`locales/en/${part}.json`, words[part])).json()
     say ??= speaker('en', {})
     say.add(patterns)
     await core()

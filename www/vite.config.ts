@@ -4,6 +4,7 @@ import { defineConfig } from 'vite'
 import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
 import { palette } from './plugins/palette.ts'
+import { policy } from './plugins/policy.ts'
 import { reproduction } from './plugins/reproduction.ts'
 
 const core = fileURLToPath(new URL('../pkg', import.meta.url))
@@ -15,7 +16,14 @@ const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | '
 
 export default defineConfig({
   base: './',
-  plugins: [svelte(), early(['forage_bg', 'catalogue']), formulas(core), palette(`${root}/src/describe/palette.json`), reproduction(root)],
+  plugins: [
+    svelte(),
+    early(['forage_bg', 'catalogue']),
+    formulas(core),
+    palette(`${root}/src/describe/palette.json`),
+    reproduction(root),
+    policy(),
+  ],
   resolve: {
     alias: [
       { find: /^forage-lab$/, replacement: `${core}/page.js` },

@@ -89,6 +89,23 @@ const FUNCTION =
   /(<\/(?:mi|mn|msub|msup|mfrac|mtext)>)(?=<mrow><mi>[a-z]{2,}<\/mi><mo>\u2061<\/mo>(?:<mspace[^>]*><\/mspace>)?<\/mrow>(?!<\/msu))/g
 const PRIME = /<msup>(<mi>[^<]*<\/mi>)<mo [^>]*class="tml-prime[^>]*>′<\/mo><\/msup>/g
 
+/** What math.css has for each style that the typesetter writes: under the page's policy styles in attributes do nothing. */
+const CLASSES: Readonly<Record<string, string>> = {
+  'math-depth:0;': 'depth-0',
+  'math-depth:1;': 'depth-1',
+  'math-depth:2;': 'depth-2',
+  'padding-left:0em;padding-right:0em;': 'close',
+  'padding-left:1em;padding-right:0em;': 'apart',
+}
+
+function classed(tag: string, attributes: string, style: string): string {
+  const name = CLASSES[style]
+  if (!name) throw new Error(`math.css has no class for the style ${style}`)
+  const [, before] = / class="([^"]*)"/.exec(attributes) ?? []
+  const rest = attributes.replace(/ class="[^"]*"/, '')
+  return `<${tag}${rest} class="${before ? `${before} ` : ''}${name}"`
+}
+
 /** MathML, with every `@name@` left in it as `<mtext>@name@</mtext>`. Formulas may break after their outer operators. */
 export function mathml(tex: string, displayMode: boolean): string {
   const names: string[] = []
@@ -106,5 +123,6 @@ export function mathml(tex: string, displayMode: boolean): string {
       // At the end of a piece an operator would count as a postfix and lose its spaces.
       .replace(/<mo>([^<]+)<\/mo><\/mrow>(?=<mrow>|<\/math>)/g, '<mo form="infix">$1</mo></mrow>')
       .replace(/^<math>/, displayMode ? '<math displaystyle="true">' : '<math>')
+      .replace(/<([a-z]+)([^>]*?) style="([^"]*)"/g, (_, tag: string, attributes: string, style: string) => classed(tag, attributes, style))
   )
 }

@@ -94,6 +94,7 @@ export class FakeWorker {
       return this.thread as unknown as Worker
     },
     core: (): Promise<undefined> => this.core,
+    catalogue: (): Promise<Catalogue> => Promise.resolve(catalogue),
   }
   /** Settles when a thread may be opened. */
   core: Promise<undefined> = Promise.resolve(undefined)

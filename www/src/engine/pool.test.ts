@@ -13,8 +13,10 @@ class Idle extends EventTarget {
   terminate = vi.fn()
 }
 
+const rest = { core: () => Promise.resolve(undefined), catalogue: () => Promise.reject(new Error('nobody asks for it')) }
+
 test('a task fails where no thread can be started, and so does the next', async () => {
-  useHost({ worker: noThreads, core: () => Promise.resolve(undefined) })
+  useHost({ ...rest, worker: noThreads })
   const pool = new WorkerPool(1)
   await expect(pool.run(() => Promise.resolve(1))).rejects.toThrow('no threads here')
   await expect(pool.run(() => Promise.resolve(1))).rejects.toThrow('no threads here')
@@ -22,7 +24,7 @@ test('a task fails where no thread can be started, and so does the next', async 
 
 test('as many tasks as there may be threads are carried out at a time; one that is called off while it waits is not begun', async () => {
   const worker = vi.fn(() => new Idle() as unknown as Worker)
-  useHost({ worker, core: () => Promise.resolve(undefined) })
+  useHost({ ...rest, worker })
   const pool = new WorkerPool(2)
   let [end, begun] = [(): void => undefined, 0]
   const task = (): Promise<number> =>

@@ -30,7 +30,12 @@ export class Thread {
     }
   }
 
-  run<T>(task: Task<T>): Promise<T> {
+  private readonly opened = host()
+    .files?.()
+    .then((files) => this.api.open(files))
+
+  async run<T>(task: Task<T>): Promise<T> {
+    if (this.opened) await Promise.race([this.opened, this.failed])
     return Promise.race([task(this.api), this.failed])
   }
 

@@ -1,4 +1,5 @@
 /* What crosses between the host of a run and the client that shows it. */
+import type { Files } from './host'
 import type {
   Finding,
   Inspection,
@@ -205,7 +206,7 @@ export interface Question {
 
 /** Messages without a receipt have the number 0. */
 export type ToHost = { number: number } & (
-  | { is: 'open'; core: WebAssembly.Module | undefined }
+  | { is: 'open'; core: WebAssembly.Module | undefined; files: Files | undefined }
   | { is: 'want'; version: number; change: Partial<Desired> }
   | { is: 'ask'; question: Question }
   /** What runs of other planners found; null: they cannot be carried out elsewhere. */

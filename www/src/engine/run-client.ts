@@ -104,10 +104,11 @@ export class RunClient {
       event.preventDefault()
       if (worker === this.worker) this.break(event.message || 'worker')
     }
-    const core = await this.hosting().core()
+    const host = this.hosting()
+    const [core, files] = await Promise.all([host.core(), host.files?.()])
     if (worker !== this.worker) return
     this.opened = true
-    this.post({ is: 'open', core })
+    this.post({ is: 'open', core, files })
     this.begins = []
     this.change({ ...this.desired })
     for (const asked of this.asked) this.put(asked)

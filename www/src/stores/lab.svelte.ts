@@ -2,7 +2,7 @@ import type { Progress, Report } from '../engine/protocol'
 import { Requests } from '../engine/requests'
 import { RunClient } from '../engine/run-client'
 import { Awaited } from './awaited.svelte'
-import { readCatalogue } from './catalogue'
+import { host } from '../engine/host'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
 import { LayersStore } from './layers.svelte'
@@ -99,14 +99,14 @@ export class Lab {
     private readonly standard: Standard,
   ) {}
 
-  /** Starts a thread. After a crash it begins with what the user had made. */
+  /** Starts a thread. It begins with the run of a link; after a crash, with what the user had made. */
   async open(): Promise<void> {
     this.crash = ''
     this.phase = 'loading'
     void this.client.open()
     if (!this.setup.catalogue) {
       try {
-        this.setup.catalogue = await readCatalogue()
+        this.setup.catalogue = await host().catalogue()
       } catch (error) {
         this.breakDown(error instanceof Error ? error.message : String(error))
         return

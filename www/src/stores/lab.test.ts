@@ -1,12 +1,10 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { catalogue, FakeWorker, passed, scene } from '../../unit/worker'
+import { FakeWorker, passed, scene } from '../../unit/worker'
 import { useHost } from '../engine/host'
 import { Gone } from '../engine/run-client'
 import { en } from '../locales/en/page'
 import { type Address, Lab } from './lab.svelte'
 import { Theme } from './theme.svelte'
-
-vi.mock('./catalogue', () => ({ readCatalogue: () => Promise.resolve(catalogue) }))
 
 /** A run that has no address. */
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }

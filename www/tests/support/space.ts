@@ -24,13 +24,19 @@ export async function seenAt(lab: Lab, scene: ArmScene, point: Point3, side: Sid
 /** The stage as it is on the screen, once it stands still: what is drawn in space can't be read from its canvas. */
 export async function shot(lab: Lab): Promise<Picture> {
   await lab.page.mouse.move(0, 0)
+  // Buttons that were pressed are painted a shade otherwise. The page's policy lets in no style of a test's own, but such a sheet.
+  await lab.page.evaluate(() => {
+    const sheet = new CSSStyleSheet()
+    sheet.replaceSync('.tools, .views { visibility: hidden }')
+    document.adoptedStyleSheets = [sheet]
+  })
   let last = ''
   for (;;) {
-    // Buttons that were pressed are painted a shade otherwise.
-    const next = (await lab.stage.screenshot({ style: '.tools, .views { visibility: hidden }' })).toString('base64')
+    const next = (await lab.stage.screenshot()).toString('base64')
     if (next === last) break
     last = next
   }
+  await lab.page.evaluate(() => (document.adoptedStyleSheets = []))
   return lab.page.evaluate(async (content) => {
     const bytes = Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0))
     const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }))

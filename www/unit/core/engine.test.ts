@@ -42,7 +42,11 @@ class LocalWorker {
   }
 }
 
-const local: Host = { worker: () => new LocalWorker() as unknown as Worker, core: () => Promise.resolve(undefined) }
+const local: Host = {
+  worker: () => new LocalWorker() as unknown as Worker,
+  core: () => Promise.resolve(undefined),
+  catalogue: () => Promise.reject(new Error('nobody asks for it')),
+}
 
 /** Numbers between 0 and 1 that are the same each time (mulberry32). */
 function lots(seed: number): () => number {

@@ -3,6 +3,7 @@ import { begin, ModuleDead } from 'forage-lab/core'
 import type { FromHost, Question, ToHost } from '../protocol'
 import { type Questions, questionsTo } from './questions'
 import { causeOf } from './refusal'
+import { from } from './files'
 import { rest } from './rest'
 import { RunHost } from './run-host'
 
@@ -20,6 +21,11 @@ function breakDown(error: unknown): void {
 }
 
 host.onbroken = breakDown
+
+async function open({ core, files }: ToHost & { is: 'open' }): Promise<void> {
+  if (files) (await rest()).serveBy(from(files))
+  await begin(core)
+}
 
 async function bringLinks(): Promise<void> {
   try {
@@ -44,7 +50,7 @@ async function answer(number: number, { name, given }: Question): Promise<void> 
 function receive(message: ToHost): void {
   switch (message.is) {
     case 'open':
-      opened = begin(message.core).then(() => send({ is: 'open' }), breakDown)
+      opened = open(message).then(() => send({ is: 'open' }), breakDown)
       break
     case 'want':
       host.want(message.version, message.change)

@@ -1,6 +1,8 @@
 import * as Comlink from 'comlink'
-import { bands, carryOut, compare, generateScene, load, reachability, reached, ready, suggest, Trial } from 'forage-lab'
+import { bands, carryOut, compare, generateScene, load, reachability, reached, ready, serveBy, suggest, Trial } from 'forage-lab'
 import type { Finding, GeneratorName, Reachability, Scene, Setup, UncheckedSetup } from 'forage-lab'
+import type { Files } from '../host'
+import { from } from './files'
 import { causeOf, refusalOf } from './refusal'
 import { breathe, SLICE } from './pace'
 import type { Answer, Refusal } from '../protocol'
@@ -38,6 +40,11 @@ async function stepToEnd(trial: Trial): Promise<boolean> {
 }
 
 const api = {
+  /** Where a thread cannot find the package's files, it is given them before anything else. */
+  open(files: Files): void {
+    serveBy(from(files))
+  },
+
   /** A run that a planner of planners needs. */
   carryOut: (subtask: Parameters<typeof carryOut>[0]): Promise<Finding> => ready(() => carryOut(subtask)),
 

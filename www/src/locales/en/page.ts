@@ -21,6 +21,7 @@ export const en = {
     copy: 'Copy link',
     copied: 'Link copied',
     copyFailed: 'The link is in the address bar; copying was not allowed.',
+    embed: 'Embed',
     exports: 'Export',
     guide: 'Guide',
     theme: 'Colours',

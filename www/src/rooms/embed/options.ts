@@ -1,8 +1,5 @@
+import { CONTROLS, type Controls } from '../../catalogue/embedding'
 import { type Choice, isChoice } from '../../stores/theme.svelte'
-
-/** What there is to press: nothing; what plays the run; that, the tools of the stage and the result. */
-export const CONTROLS = ['none', 'play', 'full'] as const
-export type Controls = (typeof CONTROLS)[number]
 
 /** How an embedded run is shown. */
 export interface EmbedOptions {

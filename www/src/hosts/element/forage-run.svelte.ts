@@ -1,0 +1,181 @@
+import { mount, unmount } from 'svelte'
+import { STANDARD } from '../../catalogue/standard'
+import { host } from '../../engine/host'
+import type { Controls } from '../../catalogue/embedding'
+import { optionsOf } from '../../rooms/embed/options'
+import { obey, type RunEvent, type RunState, stateOf, tell } from '../../rooms/embed/remote.svelte'
+import { attributesOf } from '../../stores/attributes'
+import { Lab } from '../../stores/lab.svelte'
+import { stillness, Theme } from '../../stores/theme.svelte'
+import { linkOf, SETUP } from './link'
+import Run from './Run.svelte'
+
+/** The styles of all that an element shows: put there while building. */
+declare const ELEMENT_STYLES: string
+const HOST =
+  ':host{display:block;position:relative;min-width:320px;min-height:240px;aspect-ratio:3/2;overflow:hidden}:host([hidden]){display:none}'
+
+let shared: CSSStyleSheet | undefined
+
+/** All elements of a page share one sheet. */
+function sheet(): CSSStyleSheet {
+  if (shared) return shared
+  shared = new CSSStyleSheet()
+  shared.replaceSync(HOST + ELEMENT_STYLES)
+  return shared
+}
+
+/** A run that is shown, and what ends it. */
+interface Shown {
+  lab: Lab
+  end(): void
+}
+
+/**
+ * `<forage-run>`: a run on a page. It begins when it comes into view, and pauses while it is out of sight.
+ *
+ * Attributes: `src` (a link of a run), or `planner`, `scene`, `seed`, `params` (`w=0.7; c1=2`) and `at`; `layers` (`best,-particles`);
+ * `controls` (`none`, `play`, `full`), `theme` (`light`, `dark`, `system`), `autoplay`.
+ */
+export class ForageRun extends HTMLElement {
+  static readonly observedAttributes = [...SETUP, 'controls', 'theme']
+
+  private shown: Shown | undefined
+  private readonly look = $state<{ controls: Controls }>({ controls: 'play' })
+  private readonly theme = new Theme()
+  /** It was playing when it went out of sight. */
+  private resumes = false
+  /** Several attributes that change at once are one change. */
+  private changed = false
+  private readonly sight = new IntersectionObserver((entries) => this.see(entries.at(-1)?.isIntersecting ?? false))
+
+  connectedCallback(): void {
+    if (!this.shadowRoot) this.attachShadow({ mode: 'open' }).adoptedStyleSheets = [sheet()]
+    this.dress()
+    this.sight.observe(this)
+  }
+
+  disconnectedCallback(): void {
+    this.sight.unobserve(this)
+    // One that is only moved is connected again at once.
+    queueMicrotask(() => {
+      if (this.isConnected) return
+      this.shown?.end()
+      this.shown = undefined
+    })
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after) return
+    if (name === 'controls' || name === 'theme') {
+      this.dress()
+      return
+    }
+    if (!this.shown || this.changed) return
+    this.changed = true
+    queueMicrotask(() => {
+      this.changed = false
+      void this.openAgain()
+    })
+  }
+
+  /** Where the run is; undefined before it has come into view. */
+  get state(): RunState | undefined {
+    return this.shown && stateOf(this.shown.lab)
+  }
+
+  play(): void {
+    obey(this.begun(), { is: 'play' })
+  }
+
+  pause(): void {
+    this.resumes = false
+    obey(this.begun(), { is: 'pause' })
+  }
+
+  /** Steps so many iterations on, or back. */
+  step(by = 1): void {
+    obey(this.begun(), { is: 'step', by })
+  }
+
+  /** Goes to an iteration; `Infinity`: to the end. */
+  seek(to: number): void {
+    obey(this.begun(), { is: 'seek', to })
+  }
+
+  private begun(): Lab {
+    this.shown ??= this.begin()
+    return this.shown.lab
+  }
+
+  private dress(): void {
+    const { controls, theme } = optionsOf((name) => this.getAttribute(name))
+    this.look.controls = controls
+    this.theme.choice = theme
+  }
+
+  private see(visible: boolean): void {
+    if (!visible) {
+      const { playback } = this.shown?.lab ?? {}
+      if (playback?.playing) {
+        this.resumes = true
+        playback.pause()
+      }
+    } else if (!this.shown) {
+      this.shown = this.begin()
+    } else if (this.resumes) {
+      this.resumes = false
+      this.shown.lab.playback.play()
+    }
+  }
+
+  private async openAgain(): Promise<void> {
+    const link = linkOf((name) => this.getAttribute(name), await host().catalogue())
+    await this.shown?.lab.openLink(link)
+    this.playAlone()
+  }
+
+  private playAlone(): void {
+    if (this.hasAttribute('autoplay') && !stillness.matches) this.shown?.lab.playback.play()
+  }
+
+  private begin(): Shown {
+    const address = { first: null as string | null, watched: false, write: () => undefined }
+    const lab = new Lab(address, this.theme, STANDARD)
+    const target = this.shadowRoot ?? this.attachShadow({ mode: 'open' })
+    const room = mount(Run, { target, props: { lab, look: this.look } })
+    const silence = tell(lab, (event) => this.dispatch(event))
+    const reflecting = $effect.root(() => {
+      $effect(() => {
+        for (const [name, value] of Object.entries(attributesOf(lab))) this.setAttribute(name, value)
+      })
+      $effect(() => {
+        this.dataset.theme = lab.theme.dark ? 'dark' : 'light'
+      })
+    })
+    void this.start(lab, address)
+    return {
+      lab,
+      end: () => {
+        silence()
+        reflecting()
+        lab.close()
+        void unmount(room)
+      },
+    }
+  }
+
+  private async start(lab: Lab, address: { first: string | null }): Promise<void> {
+    try {
+      address.first = linkOf((name) => this.getAttribute(name), await host().catalogue())
+      await lab.open()
+      this.playAlone()
+    } catch (error) {
+      this.dispatch({ is: 'error', message: error instanceof Error ? error.message : String(error) })
+    }
+  }
+
+  private dispatch(event: RunEvent): void {
+    this.dispatchEvent(new CustomEvent(event.is, { detail: event.is === 'error' ? { message: event.message } : event.state }))
+  }
+}

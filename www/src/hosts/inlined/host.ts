@@ -1,0 +1,42 @@
+import type { Catalogue } from 'forage-lab'
+import { files as packed, threads } from 'virtual:inlined'
+import type { Files, Host } from '../../engine/host'
+import { scriptAddress } from '../../ui/trusted'
+
+const CORE = 'forage_bg.wasm'
+const CATALOGUE = 'catalogue.json'
+
+const typeOf = (name: string): string => (name.endsWith('.wasm') ? 'application/wasm' : 'application/json')
+
+async function unpacked(name: keyof typeof packed): Promise<Blob> {
+  const bytes = Uint8Array.from(atob(packed[name] ?? ''), (letter) => letter.charCodeAt(0))
+  const unzipped = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
+  return new Blob([await new Response(unzipped).arrayBuffer()], { type: typeOf(name) })
+}
+
+/** What is made when it is first asked for. */
+function once<T>(make: () => T): () => T {
+  let made: { value: T } | undefined
+  return () => (made ??= { value: make() }).value
+}
+
+const files = once(
+  async (): Promise<Files> =>
+    Object.fromEntries(await Promise.all(Object.keys(packed).map(async (name) => [name, await unpacked(name)] as const))),
+)
+const core = once(async () => WebAssembly.compile(await (await unpacked(CORE)).arrayBuffer()))
+const catalogue = once(async (): Promise<Catalogue> => JSON.parse(await (await unpacked(CATALOGUE)).text()))
+const addresses = Object.fromEntries(
+  Object.entries(threads).map(([kind, script]) => [
+    kind,
+    once(() => scriptAddress(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })))),
+  ]),
+)
+
+/** Everything is in one script: threads and the core's files. Threads are classic scripts, for others don't start from a file. */
+export const inlinedHost: Host = {
+  worker: (kind) => new Worker(addresses[kind]?.() as string | URL),
+  core: () => core().catch(() => undefined),
+  catalogue,
+  files,
+}

@@ -1,0 +1,130 @@
+import { createHash } from 'node:crypto'
+import { readdirSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import { svelte } from '@sveltejs/vite-plugin-svelte'
+import { defineConfig, type Plugin } from 'vite'
+import { formulas } from './plugins/formulas.ts'
+import { inlined, unaddressed } from './plugins/inlined.ts'
+import { palette } from './plugins/palette.ts'
+
+/* The element (`--mode element`) and the page in one file (`--mode file`): one script each, with all that it needs. */
+
+const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url))
+const core = at('../pkg')
+
+const files = [
+  ...readdirSync(core).filter((file) => file.endsWith('.wasm')),
+  ...readdirSync(`${core}/locales/en`).map((file) => `locales/en/${file}`),
+  'catalogue.json',
+]
+
+const shared = {
+  base: './',
+  resolve: {
+    alias: [
+      { find: /^forage-lab$/, replacement: `${core}/page.js` },
+      { find: /^forage-lab\//, replacement: `${core}/` },
+    ],
+  },
+  build: { target: 'es2023', chunkSizeWarningLimit: 4000 },
+}
+
+const threads = {
+  run: at('src/engine/host/run.worker.ts'),
+  trial: at('src/engine/host/trial.worker.ts'),
+  render: at('src/render/render.worker.ts'),
+}
+
+/** The styles, in the element's script. In its shadow the root is the element, and faces of type are the page's. */
+const withStyles = (): Plugin => ({
+  name: 'forage-element-styles',
+  enforce: 'post',
+  generateBundle(_, bundle) {
+    let styles = ''
+    for (const [name, file] of Object.entries(bundle)) {
+      if (file.type !== 'asset' || !name.endsWith('.css')) continue
+      styles += String(file.source)
+      delete bundle[name]
+    }
+    styles = styles
+      .replace(/@font-face\s*\{[^}]*\}/g, '')
+      .replace(/:root\[data-theme=['"]?dark['"]?\]/g, ':host([data-theme=dark])')
+      .replace(/:root|(?<=[},]|^)(?:html|body)(?=[{,])/g, ':host')
+    for (const file of Object.values(bundle)) {
+      if (file.type !== 'chunk') continue
+      const parts = file.code.split('ELEMENT_STYLES')
+      if (parts.length !== 2) throw new Error('the script has not one place for its styles')
+      file.code = parts.join(JSON.stringify(styles))
+    }
+  },
+})
+
+/** What the page in one file may do: run its own script and threads, and nothing over the network. */
+const policyOf = (script: string, styles: string): string => {
+  const hash = (text: string): string => `'sha256-${createHash('sha256').update(text).digest('base64')}'`
+  return [
+    `default-src 'none'`,
+    `script-src ${hash(script)} 'wasm-unsafe-eval' blob:`,
+    `worker-src blob:`,
+    `style-src ${hash(styles)}`,
+    `img-src data: blob:`,
+    `font-src data:`,
+    `base-uri 'none'`,
+    `form-action 'none'`,
+    `require-trusted-types-for 'script'`,
+    `trusted-types svelte-trusted-html forage`,
+  ].join('; ')
+}
+
+/** The page in one file, from its script and styles. */
+const withPage = (): Plugin => ({
+  name: 'forage-file',
+  enforce: 'post',
+  generateBundle(_, bundle) {
+    let [script, styles] = ['', '']
+    for (const [name, file] of Object.entries(bundle)) {
+      if (file.type === 'chunk') script += file.code.replace(/<\/(?=script)/gi, '<\\/').replace(/<!--/g, '<\\!--')
+      else if (name.endsWith('.css')) styles += String(file.source)
+      delete bundle[name]
+    }
+    const source = `<!doctype html>
+<html lang="en" data-link="">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta http-equiv="Content-Security-Policy" content="${policyOf(script, styles)}">
+<title>Forage</title>
+<style>${styles}</style>
+<div id="app"></div>
+<noscript>Forage computes in your browser and needs JavaScript.</noscript>
+<script>${script}</script>
+</html>
+`
+    this.emitFile({ type: 'asset', fileName: 'forage.html', source })
+  },
+})
+
+export default defineConfig(({ mode }) => ({
+  ...shared,
+  publicDir: false,
+  plugins: [
+    unaddressed(core),
+    svelte(),
+    formulas(core),
+    palette(at('../src/describe/palette.json')),
+    inlined(core, files, threads, { ...shared, plugins: [unaddressed(core)] }),
+    mode === 'element' ? withStyles() : withPage(),
+  ],
+  build: {
+    ...shared.build,
+    outDir: mode === 'element' ? 'dist-element' : 'dist-single',
+    license: true,
+    assetsInlineLimit: Number.MAX_SAFE_INTEGER,
+    cssCodeSplit: false,
+    rolldownOptions: {
+      transform: { define: { 'import.meta': '{}' } },
+      input: at(mode === 'element' ? 'src/hosts/element/element.ts' : 'src/hosts/file/main.ts'),
+      output: { format: 'iife', codeSplitting: false, entryFileNames: `${mode === 'element' ? 'element' : 'forage'}.js` },
+    },
+  },
+}))
