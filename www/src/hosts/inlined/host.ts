@@ -17,7 +17,10 @@ async function unpacked(name: keyof typeof packed): Promise<Blob> {
 /** What is made when it is first asked for. */
 function once<T>(make: () => T): () => T {
   let made: { value: T } | undefined
-  return () => (made ??= { value: make() }).value
+  return () => {
+    made ??= { value: make() }
+    return made.value
+  }
 }
 
 const files = once(
