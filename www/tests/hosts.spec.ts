@@ -268,3 +268,16 @@ test('the dialog gives what shows this run on another page', async ({ page, watc
   await hashIn(embedIn(page)).toHaveAttribute('data-hash', verified(SWARM).hash ?? '')
   await expect(page.locator('forage-run')).toHaveAttribute('data-hash', verified(SWARM).hash ?? '')
 })
+
+test('the example page shows what its links and attributes say', async ({ page, watched }) => {
+  void watched
+  await page.setViewportSize({ width: 800, height: 2400 })
+  await page.goto(`${SITE}course.html`)
+  const [swarm, ants] = [page.locator('forage-run').first(), page.locator('forage-run').last()]
+  await expect(swarm).toHaveAttribute(
+    'data-hash',
+    verified(linkTo({ planner: 'pso', scene: 'sphere-2', seed: 4, params: { population: 30 } }, 0)).hash ?? '',
+  )
+  await expect(ants).toHaveAttribute('data-hash', verified(ANTS).hash ?? '')
+  await hashIn(embedIn(page)).toHaveAttribute('data-hash', verified(ARM).hash ?? '')
+})

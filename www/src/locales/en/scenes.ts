@@ -93,6 +93,8 @@ export const scenes = {
     tourHelp: 'TSPLIB’s .tour: the order of the best tour so far.',
     motion: 'Motion',
     motionHelp: 'CSV: a row for each moment of the arm along the path.',
+    embed: 'Embed',
+    embedHelp: 'The text that shows this run on another page.',
     file: 'One file',
     fileHelp: 'HTML: the lab with this run. It opens from a disk, without a network.',
     png: 'Picture',
