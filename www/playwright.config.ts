@@ -20,6 +20,8 @@ export default defineConfig({
     baseURL: SITE,
     viewport: { width: 1440, height: 900 },
     colorScheme: 'light',
+    // It would keep the page for the next visit, and a test has but one: offline.spec.ts lets it.
+    serviceWorkers: 'block',
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
       args: FLAGS,

@@ -3,6 +3,7 @@ import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
 import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
+import { installable } from './plugins/installable.ts'
 import { palette } from './plugins/palette.ts'
 import { policy } from './plugins/policy.ts'
 import { reproduction } from './plugins/reproduction.ts'
@@ -23,6 +24,10 @@ export default defineConfig({
     palette(`${root}/src/describe/palette.json`),
     reproduction(root),
     policy(),
+    installable(
+      fileURLToPath(new URL('src/hosts/page/service-worker.ts', import.meta.url)),
+      fileURLToPath(new URL('public/icon.svg', import.meta.url)),
+    ),
   ],
   resolve: {
     alias: [
@@ -41,6 +46,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 800,
     // What the first view and later ones share is one file: small ones compress badly.
     rolldownOptions: {
+      checks: { pluginTimings: false },
       output: {
         codeSplitting: {
           groups: [

@@ -122,6 +122,7 @@ export default defineConfig(({ mode }) => ({
     assetsInlineLimit: Number.MAX_SAFE_INTEGER,
     cssCodeSplit: false,
     rolldownOptions: {
+      checks: { pluginTimings: false },
       transform: { define: { 'import.meta': '{}' } },
       input: at(mode === 'element' ? 'src/hosts/element/element.ts' : 'src/hosts/file/main.ts'),
       output: { format: 'iife', codeSplitting: false, entryFileNames: `${mode === 'element' ? 'element' : 'forage'}.js` },

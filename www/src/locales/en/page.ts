@@ -156,6 +156,10 @@ export const en = {
     text: 'Your scene and parameters are kept.',
     restart: 'Restart it',
   },
+  update: {
+    text: 'A newer version of Forage is ready. The run stays as it is.',
+    now: 'Load it',
+  },
   notices: {
     link: (message: string) => `The link could not be opened: ${message}`,
     hash: 'This link’s fingerprint differs from what was computed here: it was made by another version.',
