@@ -1,3 +1,5 @@
+import { createHash } from 'node:crypto'
+import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
@@ -15,7 +17,12 @@ const root = fileURLToPath(new URL('..', import.meta.url))
 const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | 'js' }): string[] =>
   hostType === 'html' ? files : files.filter((file) => file.endsWith('.css'))
 
+/** Changes with any part of the core. */
+const version = createHash('sha256')
+for (const file of readdirSync(core).filter((name) => name.endsWith('.wasm'))) version.update(readFileSync(`${core}/${file}`))
+
 export default defineConfig({
+  define: { CORE_VERSION: JSON.stringify(version.digest('hex').slice(0, 16)) },
   base: './',
   plugins: [
     svelte(),

@@ -1,5 +1,6 @@
 import { linkTo, sceneOf, verified } from './support/core'
 import { en, expect, Lab, test } from './support/lab'
+import { Race } from './support/race'
 import { SITE } from './support/site'
 
 test('a link opened elsewhere shows the same state and the same picture', { tag: '@smoke' }, async ({ lab, browser }) => {
@@ -68,7 +69,7 @@ test('a view has an address that outlasts a reload, and the browser goes back to
   await lab.open(linkTo({ seed: 7 }, 30))
   const hash = await lab.settled(30)
   await page.getByTestId('view-race').click()
-  await expect(page).toHaveURL(/#view=race$/)
+  await expect(page).toHaveURL(/#view=race/)
   await expect(page.getByTestId('race')).toBeVisible()
   await page.getByTestId('view-papers').click()
   await page.goBack()
@@ -84,7 +85,7 @@ test('a view has an address that outlasts a reload, and the browser goes back to
   await expect(page.getByTestId('race')).toHaveAttribute('data-still', 'true')
   // The run behind it is there by now, with a link of its own.
   await lab.settled()
-  await expect(page).toHaveURL(/#view=race$/)
+  await expect(page).toHaveURL(/#view=race&/)
   await page.goBack()
   expect(await lab.settled(30)).toBe(hash)
 })
@@ -139,4 +140,54 @@ test('a link that says nonsense of the page opens its run', async ({ lab, page }
   await expect(page.getByTestId('notice')).toHaveCount(0)
   expect(await page.evaluate(() => Object.keys(Object.prototype).length)).toBe(0)
   await expect(page.getByTestId('layer-particles')).toBeChecked()
+})
+
+test('a race has an address: its scene, seed, lanes and time; it can be copied, and opens elsewhere', async ({
+  lab,
+  page,
+  context,
+  browser,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: new URL(SITE).origin })
+  await lab.open(linkTo({ planner: 'cpso', seed: 9, params: { population: 40 } }, 5))
+  await lab.settled(5)
+  // A scene that doesn't ship goes with the address, as the core packs it.
+  const scene = sceneOf({})
+  if (scene.kind !== 'discs') throw new Error(scene.kind)
+  await lab.dragFrom(await lab.whereIs(scene, scene.discs[2]?.center ?? [0, 0]), -30, 60)
+  await lab.settled()
+  await page.getByTestId('view-race').click()
+  const race = new Race(page)
+  await expect(race.root).toHaveAttribute('data-still', 'true')
+  const before = await race.seek(3000)
+  await expect(page).toHaveURL(/#view=race&scene=[^&]{50,}&seed=9&with=cpso;population=40(,\w+){3}&at=3000$/)
+  await lab.press(en.bar.copy)
+  const copied = await page.evaluate(() => navigator.clipboard.readText())
+  expect(copied).toBe(page.url())
+
+  const elsewhere = await browser.newContext({ serviceWorkers: 'block' })
+  const other = new Race(await elsewhere.newPage())
+  await other.page.goto(copied)
+  expect(await other.at(3000)).toEqual(before)
+  await elsewhere.close()
+
+  // Another address in the open page; who can't be had is said.
+  await page.evaluate(() => (location.hash = '#view=race&scene=sphere&seed=2&with=pso,nobody,qpso&at=900'))
+  await expect(page.getByTestId('race')).toContainText('nobody')
+  await expect(race.lanes).toHaveCount(2)
+  await expect(page).toHaveURL(/scene=sphere&seed=2&with=pso,qpso&at=900$/)
+  await page.reload()
+  await expect(race.lanes).toHaveCount(2)
+  await expect(race.root).toHaveAttribute('data-clock', '900')
+})
+
+test('open claims of a paper have an address', async ({ lab, page }) => {
+  await lab.open('#view=papers')
+  const [first, second] = (await page.locator('details[id^="claim-"]').evaluateAll((all) => all.map(({ id }) => id))).slice(2)
+  await page.locator(`#${first} > summary`).click()
+  await page.locator(`#${second} > summary`).click()
+  await expect(page).toHaveURL(new RegExp(`#view=papers&claims=${first?.slice(6)},${second?.slice(6)}$`))
+  await page.reload()
+  await expect(page.locator(`#${first}[open], #${second}[open]`)).toHaveCount(2)
+  await expect(page.locator(`#${first}`)).toBeInViewport()
 })

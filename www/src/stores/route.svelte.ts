@@ -7,12 +7,22 @@ const PREFIX = '#view='
 const INTERVAL = 3000
 const LEAST = 300
 
-/** The view that an address is of: `#view=batch`. Others are links of runs. */
-const viewOf = (hash: string): View | undefined => VIEWS.find((view) => hash === PREFIX + view)
+/** The view that an address is of, and what it says of it: `#view=race&seed=3`. Others are links of runs. */
+function placeOf(hash: string): { view: View; keys: string } | undefined {
+  const [name = '', ...rest] = hash.startsWith(PREFIX) ? hash.slice(PREFIX.length).split('&') : []
+  const view = VIEWS.find((known) => known === name)
+  return view && { view, keys: rest.map((pair) => `&${pair}`).join('') }
+}
+
+const wishOf = (keys: string): { readonly keys: string; taken: boolean } => ({ keys, taken: keys === '' })
 
 /** What is shown, and its address. Nothing else writes the address. */
 class Route {
-  view = $state<View>(viewOf(location.hash) ?? 'stage')
+  view = $state<View>(placeOf(location.hash)?.view ?? 'stage')
+  /** What the address wants of the view that it is of: taken by the view. */
+  private wanted = $state.raw(wishOf(placeOf(location.hash)?.keys ?? ''))
+  /** How each view stands, as keys. */
+  private readonly standing = new Map<View, string>()
   /** The newest link of the run, and what is added to it: how the page shows the run. */
   private link = ''
   added = ''
@@ -23,7 +33,7 @@ class Route {
 
   /** The link that the page was opened on, if it was one. */
   get first(): string | null {
-    return location.hash.length > 1 && !viewOf(location.hash) ? location.hash : null
+    return location.hash.length > 1 && !placeOf(location.hash) ? location.hash : null
   }
 
   /** The run is what is looked at. */
@@ -31,24 +41,40 @@ class Route {
     return this.view === 'stage'
   }
 
+  /** The address of what is shown, as it is now. */
+  get href(): string {
+    return new URL(this.address || '#', location.href).href
+  }
+
   /** Shows another view. The one of before is a step back. */
   go = (view: View): void => {
     if (view === this.view) return
     this.view = view
+    this.wanted = wishOf('')
     clearTimeout(this.timer)
-    history.pushState(this.mark, '', view === 'stage' ? this.address || '#' : PREFIX + view)
+    history.pushState(this.mark, '', this.address || '#')
   }
 
   /** The run's link: at once where it stays, seldom while it plays. */
   write(link: string, when: 'now' | 'soon'): void {
     this.link = link
-    if (this.view !== 'stage') return
-    const since = performance.now() - this.last
-    if (when === 'soon') {
-      if (since >= INTERVAL) this.replace()
-      return
-    }
-    this.replaceSoon(LEAST - since)
+    if (this.view === 'stage') this.replaceWhen(when)
+  }
+
+  /** How a view stands, as keys of its address. */
+  stand(view: View, keys: string, when: 'now' | 'soon'): void {
+    this.standing.set(view, keys)
+    // What the address wants of it is not done yet.
+    if (view === this.view && this.wanted.taken) this.replaceWhen(when)
+  }
+
+  /** What the address wants of a view, once: its keys with their values as they are written. */
+  take(view: View): ReadonlyMap<string, string> | null {
+    const { wanted } = this
+    if (view !== this.view || wanted.taken) return null
+    wanted.taken = true
+    const pairs = wanted.keys.slice(1).split('&')
+    return new Map(pairs.map((pair) => [pair.split('=')[0] ?? '', pair.slice(pair.indexOf('=') + 1)]))
   }
 
   /** Keys of the page that are added to the run's link. */
@@ -59,7 +85,14 @@ class Route {
   }
 
   private get address(): string {
+    if (this.view !== 'stage') return PREFIX + this.view + (this.standing.get(this.view) ?? '')
     return this.link === '' ? '' : this.link + this.added
+  }
+
+  private replaceWhen(when: 'now' | 'soon'): void {
+    const since = performance.now() - this.last
+    if (when === 'now') this.replaceSoon(LEAST - since)
+    else if (since >= INTERVAL) this.replace()
   }
 
   private replaceSoon(wait: number): void {
@@ -71,14 +104,20 @@ class Route {
   private replace(): void {
     clearTimeout(this.timer)
     this.last = performance.now()
-    if (this.view === 'stage' && location.hash !== this.address) history.replaceState(this.mark, '', this.address)
+    const { address } = this
+    if (address !== '' && location.hash !== address) history.replaceState(this.mark, '', address)
   }
 
   /** The address is another one: by the browser's buttons, or because somebody wrote it. Returns the link that is to be opened. */
   follow(hash: string): string | null {
-    const view = viewOf(hash)
-    this.view = view ?? 'stage'
-    if (view) return null
+    const place = placeOf(hash)
+    this.view = place?.view ?? 'stage'
+    if (place) {
+      const known = place.keys === '' || place.keys === this.standing.get(place.view)
+      this.wanted = wishOf(known ? '' : place.keys)
+      if (known) this.replace()
+      return null
+    }
     if (this.link !== '' && (history.state as typeof this.mark | null)?.opened === this.opened) {
       this.replace()
       return null

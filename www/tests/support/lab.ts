@@ -10,8 +10,8 @@ const en = { ...page, ...scenes }
 
 export const HASH = /^[0-9a-f]{16}$/
 
-/** Without a graphics card the browser reads back what WebGL draws, and says that this takes its time. */
-const DRIVER = /GL Driver Message .*GPU stall due to ReadPixels/
+/** Without a graphics card the browser reads back what WebGL draws, and says that this takes its time; the tests keep workers out. */
+const DRIVER = /GL Driver Message .*GPU stall due to ReadPixels|Service Worker registration blocked by Playwright/
 
 /** The page as somebody uses it. */
 export class Lab {

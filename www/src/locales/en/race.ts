@@ -35,6 +35,7 @@ export const race = {
   notchWrong: (typed: string) => `Evaluations per tick: “${typed}” is not allowed. A whole number from 1 to 1 000 000.`,
   notchReset: 'As large as the largest step',
   add: 'Add a racer',
+  address: (why: string) => `Not all of this address could be opened. ${why}`,
   left: (gone: readonly string[], come: readonly string[], scene: string) =>
     `${list(gone)} ${gone.length === 1 ? 'does' : 'do'} not run on “${scene}”${come.length > 0 ? `: ${list(come)} ${come.length === 1 ? 'takes' : 'take'} the place` : ''}.`,
   few: 'Only one planner runs on this scene.',

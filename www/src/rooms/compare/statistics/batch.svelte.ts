@@ -23,7 +23,10 @@ import {
   type Plan,
   runnerOf,
 } from '../plan/plan'
+import { sceneIn } from '../address'
+import { planKeys, planOf } from '../plan/address'
 import type { Ready } from './presets'
+import { ComputedRows } from './computed-rows.svelte'
 import { remember, remembered } from './remembered'
 import { inGaps, type Shown, shownOf } from './shown'
 import { TestLooks } from './testlooks'
@@ -42,8 +45,9 @@ export interface Standing {
   trouble: string
 }
 
-/** Rows beyond so many are forgotten, unless they are of the present plan. */
-const MOST_ROWS = 20_000
+/** Other bits of the core may compute other rows: put there while building. */
+declare const CORE_VERSION: string
+
 /** How often the numbers on the way are told, in milliseconds. */
 const TELLING = 120
 /** Drawing many runs takes its time: it is done less often, in milliseconds. */
@@ -53,7 +57,6 @@ const FIRST = 4
 /** Requests about what is run on: a scene, or maps. */
 const GROUND = 'ground'
 const wait = (milliseconds: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, milliseconds))
-const stay = (event: BeforeUnloadEvent): void => event.preventDefault()
 
 /** Many runs: what is to be run, what came out, and whether it goes on. It goes on while other views are looked at. */
 export class Batch {
@@ -79,16 +82,15 @@ export class Batch {
   /** Bumped when rows came. */
   private version = $state(0)
 
-  private readonly rows = new Map<string, Map<number, Row>>()
-  private kept = 0
-  /** Rows that are in no file yet. */
-  private readonly unsaved = new Set<Row>()
+  private readonly statistics = new StatisticsWorker()
+  readonly rows = new ComputedRows((key) => this.statistics.forget(key))
+  /** Names of keys whose runs were begun: their plan may have been left when they end. */
+  private readonly names = new Map<string, string>()
   private readonly begun = new Set<string>()
   private cursor = 0
   private stopping = false
   private since = { at: 0, done: 0 }
   private telling: ReturnType<typeof setTimeout> | undefined
-  private readonly statistics = new StatisticsWorker()
   private readonly looks = new TestLooks()
   /** Requests about the entrants' parameters, by slot and name. */
   private readonly requests = new Requests<string>()
@@ -120,7 +122,7 @@ export class Batch {
   readonly total = $derived(this.active.length * this.count)
   readonly done = $derived.by(() => {
     void this.version
-    return this.active.reduce((sum, { key }) => sum + this.seeds.filter((seed) => this.rows.get(key)?.has(seed)).length, 0)
+    return this.active.reduce((sum, { key }) => sum + this.seeds.filter((seed) => this.rows.of(key)?.has(seed)).length, 0)
   })
   readonly seeds = $derived(Array.from({ length: this.count }, (_, at) => this.from + at))
   readonly faulty = $derived(Object.keys(this.drafts).length > 0)
@@ -141,10 +143,11 @@ export class Batch {
 
   /** Begins with the plan of before a reload, or with what is on the stage: its planner as it is set up, and others of its family. */
   begin(catalogue: Catalogue, scene: Scene): void {
-    if (this.scene) return
+    if (this.scene || this.opening) return
     const before = remembered(catalogue)
     if (before) {
       Object.assign(this, before)
+      void this.restore()
       return
     }
     this.scene = scene
@@ -155,6 +158,7 @@ export class Batch {
       planner: planner.name,
       params: planner === first ? applicable(planner, scene, this.lab.parameters.values) : {},
     }))
+    void this.restore()
   }
 
   // The plan
@@ -280,6 +284,47 @@ export class Batch {
     return true
   }
 
+  /** An address is being read. */
+  private opening = false
+
+  /** What an address names becomes the plan. What the core does not take is left out, and said. */
+  openAddress = async (keys: ReadonlyMap<string, string>): Promise<void> => {
+    const { catalogue } = this.lab.setup
+    if (!catalogue) return
+    const request = this.requests.note(GROUND)
+    const { api } = this.lab
+    this.opening = true
+    const { plan, wrong } = await planOf(keys, { catalogue, api, map: (maps, seed) => this.statistics.map(maps, seed) })
+    this.opening = false
+    if (this.requests.replaced(request, GROUND)) return
+    this.notice = wrong.length > 0 ? text.run.address(wrong.join(' ')) : ''
+    if (plan) {
+      this.requests.note(...plan.entrants.map(({ slot }) => `${slot}`))
+      Object.assign(this, plan, { drafts: {} })
+      this.changed()
+    } else if (this.lab.scene.present) {
+      this.begin(catalogue, this.lab.scene.present)
+    }
+  }
+
+  /** The plan as keys of its address; null where its scene is not packed yet. */
+  readonly keys = $derived.by<string | null>(() => {
+    const { plan, packed } = this
+    const { catalogue } = this.lab.setup
+    return plan && catalogue && planKeys(plan, catalogue, packed?.scene === plan.scene ? packed.text : null)
+  })
+  private packed = $state.raw<{ scene: Scene; text: string } | null>(null)
+
+  /** Has the core pack a scene that does not ship: it is the lab's, or a run of the plan tells of it. */
+  packScene = async (): Promise<void> => {
+    const { scene } = this
+    if (!scene || this.packed?.scene === scene) return
+    const [row] = this.active.flatMap(({ key }) => [...(this.rows.of(key)?.values() ?? [])])
+    const answer = this.lab.scene.present === scene ? await this.lab.api.link() : null
+    const text = sceneIn((answer?.ok && answer.value) || (row?.link ?? ''))
+    if (text) this.packed = { scene, text }
+  }
+
   private enter(entrants: Ready['entrants'], from: number, count: number): void {
     this.entrants = entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
     this.requests.note(...this.entrants.map(({ slot }) => `${slot}`))
@@ -299,6 +344,7 @@ export class Batch {
       this.trials.start()
     }
     if (this.plan && this.lab.setup.catalogue) remember(this.plan, this.lab.setup.catalogue)
+    void this.restore()
     void this.refresh()
   }
 
@@ -311,7 +357,7 @@ export class Batch {
     this.stopping = false
     this.cursor = 0
     this.since = { at: performance.now(), done: this.done }
-    this.guard()
+    this.rows.guard(this.running)
     if (this.plan && this.lab.setup.catalogue) remember(this.plan, this.lab.setup.catalogue)
     this.trials.start()
   }
@@ -335,8 +381,9 @@ export class Batch {
       const seed = plan.from + Math.floor(this.cursor / active.length)
       this.cursor += 1
       const id = `${key} ${seed}`
-      if (!planner || !entrant || key === undefined || this.rows.get(key)?.has(seed) || this.begun.has(id)) continue
+      if (!planner || !entrant || key === undefined || this.rows.of(key)?.has(seed) || this.begun.has(id)) continue
       this.begun.add(id)
+      this.names.set(key, this.nameOf(key))
       const setup = { planner: planner.name, scene: plan.scene, params: paramsOf(planner, entrant, plan), seed }
       return { key, seed, setup, maps: plan.maps }
     }
@@ -346,11 +393,8 @@ export class Batch {
   private take({ key, seed }: Errand, ending: Ending): void {
     this.begun.delete(`${key} ${seed}`)
     if (ending.is === 'over') {
-      const of = this.rows.get(key) ?? new Map<number, Row>()
-      if (!of.has(seed)) this.kept += 1
-      this.rows.set(key, of.set(seed, ending.row))
-      this.unsaved.add(ending.row)
-      this.forget()
+      this.rows.add({ key, name: this.names.get(key) ?? key }, seed, ending.row)
+      this.rows.forgetBut(this.active.map((standing) => standing.key))
       this.telling ??= setTimeout(() => this.tell(), TELLING)
     } else if (ending.is === 'refused') {
       this.refusals = { ...this.refusals, [key]: ending.refusal.message }
@@ -363,16 +407,24 @@ export class Batch {
     }
   }
 
-  /** Rows of plans that were left, the oldest first. */
-  private forget(): void {
-    for (const [key, of] of this.rows) {
-      if (this.kept <= MOST_ROWS) return
-      if (this.active.some((standing) => standing.key === key)) continue
-      this.rows.delete(key)
-      for (const row of of.values()) this.unsaved.delete(row)
-      this.kept -= of.size
-      this.statistics.forget(key)
-    }
+  /** What the rows of a key have in common, whatever page they were computed in: the core, planner, ground and parameters. */
+  private nameOf(key: string): string {
+    const { plan } = this
+    const { planner, entrant } = this.standings.find((candidate) => candidate.key === key) ?? {}
+    const params = plan && planner && entrant && paramsOf(planner, entrant, plan)
+    return JSON.stringify([CORE_VERSION, planner?.name, plan?.maps ?? plan?.scene, params])
+  }
+
+  /** Takes in what the browser keeps of this plan. */
+  private async restore(): Promise<void> {
+    if (await this.rows.restore(this.active.map(({ key }) => ({ key, name: this.nameOf(key) })))) this.tell()
+  }
+
+  /** Deletes all rows, also those that the browser keeps of other plans. */
+  deleteRows = async (): Promise<void> => {
+    await this.rows.clear()
+    this.tell()
+    this.rows.guard(this.running)
   }
 
   private tell(): void {
@@ -389,19 +441,13 @@ export class Batch {
     this.tell()
     this.running = false
     this.left = null
-    this.guard()
-  }
-
-  /** What was computed isn't dropped without asking. */
-  private guard(): void {
-    if (this.running || this.unsaved.size > 0) addEventListener('beforeunload', stay)
-    else removeEventListener('beforeunload', stay)
+    this.rows.guard(this.running)
   }
 
   /** These results are in a file now. */
   saved = ({ groups }: Shown): void => {
-    for (const { rows } of groups) for (const row of rows) this.unsaved.delete(row)
-    this.guard()
+    this.rows.saved(groups.flatMap(({ rows }) => rows))
+    this.rows.guard(this.running)
   }
 
   /** Has the present rows summed up; one question is on its way at a time. */
@@ -433,7 +479,7 @@ export class Batch {
         key,
         planner: entrant.planner,
         params: planner ? paramsOf(planner, entrant, plan) : {},
-        rows: this.seeds.flatMap((seed) => this.rows.get(key)?.get(seed) ?? []),
+        rows: this.seeds.flatMap((seed) => this.rows.of(key)?.get(seed) ?? []),
       }))
       .filter(({ rows }) => rows.length > 0)
       .map((group) => ({ ...group, lots: drawsLots(group.rows) }))

@@ -8,6 +8,7 @@ import { sameScene } from '../../../scene/equality'
 import { stillness } from '../../../stores/theme.svelte'
 import { route } from '../../../stores/route.svelte'
 import type { Size, View } from '../../../render/view'
+import { contendersText, named, sceneIn, shippedText, wholeIn } from '../address'
 import { Lane, type Started } from './lane.svelte'
 import type { Entry, Ready } from './presets'
 import { fitting, type Task, taskOf, tasksOn } from './tasks'
@@ -42,7 +43,7 @@ export class Race extends Times {
 
   /** The first time it takes up what the lab has. */
   async open(): Promise<void> {
-    if (this.scene || !this.lab.scene.present) return
+    if (this.scene || this.opening || !this.lab.scene.present) return
     const { plannerName: planner } = this.lab.setup
     const { values: params } = this.lab.parameters
     const own = this.lab.setup.catalogue?.planners.find(({ name }) => name === planner)
@@ -104,6 +105,50 @@ export class Race extends Times {
     this.notice = ''
     const first = this.lab.setup.catalogue?.planners.find((planner) => planner.name === planners[0]?.planner)
     await this.set(scene, seed, planners, first ? taskOf(first) : this.task)
+  }
+
+  /** An address is being read. */
+  private opening = false
+
+  /** What an address names, where it stood. What the core does not take is left out, and said. */
+  openAddress = async (keys: ReadonlyMap<string, string>): Promise<void> => {
+    this.opening = true
+    const found = await named(this.lab.api, keys.get('scene') ?? '', keys.get('with') ?? '')
+    this.opening = false
+    this.notice = found.refused.length > 0 ? text.address(found.refused.join(' ')) : ''
+    const { planners = [] } = this.lab.setup.catalogue ?? {}
+    const first = 'contenders' in found ? planners.find(({ name }) => name === found.contenders[0]?.planner) : undefined
+    if (!('contenders' in found) || !first) {
+      await this.open()
+      return
+    }
+    const task = taskOf(first)
+    const able = fitting(this.lab.setup.catalogue, found.scene, task)
+    const entries = found.contenders.filter(({ planner }) => able.some(({ name }) => name === planner)).slice(0, MOST)
+    const seed = wholeIn(keys.get('seed'), 0, Number.MAX_SAFE_INTEGER) ?? 1
+    const at = wholeIn(keys.get('at'), 0, Number.MAX_SAFE_INTEGER)
+    const begun = await this.set(found.scene, seed, entries, task)
+    if (begun && at !== null) this.seek(at)
+  }
+
+  /** How it stands, as keys of an address; null before that is known. */
+  readonly keys = $derived.by<string | null>(() => {
+    const { scene, seed, lanes, clock, sceneText, lab } = this
+    const named =
+      scene && lab.setup.catalogue && (shippedText(lab.setup.catalogue, scene) ?? (sceneText?.of === scene ? sceneText.text : null))
+    return named ? `&scene=${named}&seed=${seed}&with=${contendersText(lanes)}&at=${clock}` : null
+  })
+  /** The scene as the core packs it, where it does not ship. */
+  private sceneText = $state.raw<{ of: Scene; text: string } | null>(null)
+
+  /** Has the core pack a scene that does not ship, once a run on it stands. */
+  packScene = async (): Promise<void> => {
+    const { scene, sceneText, lab } = this
+    const lane = this.racing[0]
+    if (!scene || !lane || sceneText?.of === scene || !lab.setup.catalogue || shippedText(lab.setup.catalogue, scene)) return
+    const link = await lane.link()
+    const packed = link.ok ? sceneIn(link.value) : null
+    if (packed && this.scene === scene) this.sceneText = { of: scene, text: packed }
   }
 
   // What races where

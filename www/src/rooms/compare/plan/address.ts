@@ -1,0 +1,73 @@
+import type { Catalogue, ParameterValue, Scene } from 'forage-lab'
+import type { Questions } from '../../../engine/host/questions'
+import type { Made, Maps } from '../../../engine/trial.protocol'
+import { contendersOf, contendersText, named, shippedText, wholeIn } from '../address'
+import { COUNT, MOST_ENTRANTS, MOST_ITERATIONS, type Plan } from './plan'
+
+/** A plan as keys of an address; null where its scene neither ships nor was packed by the core. */
+export function planKeys(
+  { scene, maps, entrants, from, count, iterations }: Plan,
+  catalogue: Catalogue,
+  packed: string | null,
+): string | null {
+  const text = maps ? contendersText([{ planner: maps.generator, params: maps.params }]) : (shippedText(catalogue, scene) ?? packed)
+  if (text === null) return null
+  const limit = iterations === null ? '' : `&limit=${iterations}`
+  return `&${maps ? 'maps' : 'scene'}=${text}&seeds=${from}-${from + count - 1}${limit}&with=${contendersText(entrants)}`
+}
+
+/** A generator's parameters are numbers, switches and choices. */
+function parsed(text: string): ParameterValue {
+  if (text === 'true' || text === 'false') return text === 'true'
+  return text !== '' && Number.isFinite(Number(text)) ? Number(text) : text
+}
+
+/** Who reads for an address: the core takes planners as in links, a generator makes the first map. */
+interface Readers {
+  catalogue: Catalogue
+  api: Pick<Questions, 'parseLink'>
+  map(maps: Maps, seed: number): Promise<Made>
+}
+
+/** The plan that an address names, and what is wrong with the rest. */
+export async function planOf(
+  keys: ReadonlyMap<string, string>,
+  { catalogue, api, map }: Readers,
+): Promise<{ plan: Plan | null; wrong: string[] }> {
+  const [first, last] = (keys.get('seeds') ?? '').split('-')
+  const from = wholeIn(first, 0, Number.MAX_SAFE_INTEGER - COUNT.most) ?? 1
+  const to = wholeIn(last, from + COUNT.least - 1, from + COUNT.most - 1)
+  const made = await mapsOf(keys.get('maps') ?? '', from, catalogue, map)
+  // What planners take hangs on the kind of scene: on one that ships they are asked for.
+  const kind = made?.scene?.kind
+  const scene = kind ? (catalogue.scenes.find((shipped) => shipped.kind === kind)?.name ?? '') : (keys.get('scene') ?? '')
+  const found = await named(api, scene, keys.get('with') ?? '')
+  const wrong = [...(made?.wrong ? [made.wrong] : []), ...found.refused]
+  if (!('contenders' in found)) return { plan: null, wrong }
+  const plan: Plan = {
+    scene: made?.scene ?? found.scene,
+    maps: made?.scene ? made.maps : null,
+    entrants: found.contenders.slice(0, MOST_ENTRANTS).map((contender, slot) => ({ ...contender, slot })),
+    from,
+    count: to === null ? COUNT.standard : to - from + 1,
+    iterations: wholeIn(keys.get('limit'), 1, MOST_ITERATIONS),
+  }
+  return { plan, wrong }
+}
+
+async function mapsOf(
+  text: string,
+  seed: number,
+  { generators }: Catalogue,
+  map: Readers['map'],
+): Promise<{ maps: Maps; scene?: Scene; wrong?: string } | null> {
+  const [spread] = contendersOf(text)
+  if (!spread) return null
+  const maps: Maps = {
+    generator: spread.planner,
+    params: Object.fromEntries(spread.pairs.map(([name, value]) => [decodeURIComponent(name), parsed(decodeURIComponent(value))])),
+  }
+  if (!generators.some(({ name }) => name === maps.generator)) return { maps, wrong: `maps: ${maps.generator}` }
+  const { scene, refused } = await map(maps, seed)
+  return { maps, ...(scene && { scene }), ...(refused && { wrong: refused.message }) }
+}
