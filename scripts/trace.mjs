@@ -20,7 +20,7 @@ const open = { columns: 512, rows: 512, cell: 1, share: 0.2, stops: 0, moving: 0
 const CASES = {
   particles: { setup: { planner: 'pso', scene: 'sphere-2', params: { population: 100_000 } }, pictures: 30 },
   colony: { setup: { planner: 'aco', scene: generateScene('random', open, 1), params: { ants: 10 } }, pictures: 0 },
-  tree: { setup: { planner: 'rrt-star', scene: 'wcpso-discs', params: { iterations: 1.4 * TREE } }, at: 1.2 * TREE, pictures: 0 },
+  tree: { setup: { planner: 'rrt-star', scene: 'wcpso-discs', params: { iterations: 6 * TREE } }, at: 1.2 * TREE, pictures: 0 },
 }
 
 const root = fileURLToPath(new URL('..', import.meta.url))
