@@ -26,7 +26,7 @@ export default defineConfig({
   base: './',
   plugins: [
     svelte(),
-    early(['forage_bg', 'catalogue']),
+    early({ fetched: ['forage_bg', 'catalogue'], modules: ['run-thread', 'render-thread'] }),
     formulas(core),
     palette(`${root}/src/describe/palette.json`),
     reproduction(root),
@@ -42,7 +42,15 @@ export default defineConfig({
       { find: /^forage-lab\//, replacement: `${core}/` },
     ],
   },
-  worker: { format: 'es' },
+  worker: {
+    format: 'es',
+    // What a thread is made of is a file of its own: others import it, and none its worker's script.
+    rolldownOptions: {
+      output: {
+        codeSplitting: { groups: ['run', 'trial', 'render'].map((kind) => ({ name: `${kind}-thread`, test: `${kind}-thread.ts` })) },
+      },
+    },
+  },
   server: { fs: { allow: ['..'] } },
   // What draws in space is one library, and comes with the first scene that needs it.
   build: {

@@ -27,7 +27,12 @@ async function scriptOf(entry: string, config: InlineConfig): Promise<string> {
     build: {
       ...config.build,
       write: false,
-      rolldownOptions: { transform: { define: { 'import.meta': '{}' } }, input: entry, output: { format: 'iife', codeSplitting: false } },
+      rolldownOptions: {
+        checks: { pluginTimings: false },
+        transform: { define: { 'import.meta': '{}' } },
+        input: entry,
+        output: { format: 'iife', codeSplitting: false },
+      },
     },
   })
   const { output } = (Array.isArray(built) ? built[0] : built) as Rolldown.RolldownOutput

@@ -8,8 +8,8 @@ export interface Elsewhere {
   element: string
 }
 
-/** Files of the package by their names. */
-export type Files = Readonly<Record<string, Blob>>
+/** Files of the package by their names, as bytes: threads of a page from a disk cannot read blobs everywhere. */
+export type Files = Readonly<Record<string, ArrayBuffer>>
 
 export interface Host {
   /** A new thread: one that hosts a run, one that carries out trials and other tasks, or one that draws. */

@@ -1,6 +1,6 @@
 import { type Remote, wrap } from 'comlink'
 import { host } from './host'
-import type { TaskApi } from './host/trial.worker'
+import type { TaskApi } from './host/trial-thread'
 
 /** Threads without work end after so many milliseconds. */
 const PATIENCE = 30_000

@@ -6,12 +6,9 @@ import { scriptAddress } from '../../ui/trusted'
 const CORE = 'forage_bg.wasm'
 const CATALOGUE = 'catalogue.json'
 
-const typeOf = (name: string): string => (name.endsWith('.wasm') ? 'application/wasm' : 'application/json')
-
-async function unpacked(name: keyof typeof packed): Promise<Blob> {
+async function unpacked(name: string): Promise<ArrayBuffer> {
   const bytes = Uint8Array.from(atob(packed[name] ?? ''), (letter) => letter.charCodeAt(0))
-  const unzipped = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
-  return new Blob([await new Response(unzipped).arrayBuffer()], { type: typeOf(name) })
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer()
 }
 
 /** What is made when it is first asked for. */
@@ -23,12 +20,12 @@ function once<T>(make: () => T): () => T {
   }
 }
 
-const files = once(
-  async (): Promise<Files> =>
-    Object.fromEntries(await Promise.all(Object.keys(packed).map(async (name) => [name, await unpacked(name)] as const))),
-)
-const core = once(async () => WebAssembly.compile(await (await unpacked(CORE)).arrayBuffer()))
-const catalogue = once(async (): Promise<Catalogue> => JSON.parse(await (await unpacked(CATALOGUE)).text()))
+const files = once(async (): Promise<Files> => {
+  const names = Object.keys(packed).filter((name) => name !== CATALOGUE)
+  return Object.fromEntries(await Promise.all(names.map(async (name) => [name, await unpacked(name)] as const)))
+})
+const core = once(async () => WebAssembly.compile(await unpacked(CORE)))
+const catalogue = once(async (): Promise<Catalogue> => JSON.parse(new TextDecoder().decode(await unpacked(CATALOGUE))))
 const addresses = Object.fromEntries(
   Object.entries(threads).map(([kind, script]) => [
     kind,

@@ -1,6 +1,6 @@
 import type { ParameterValue } from 'forage-lab'
 import type { Case, Run } from './cases'
-import { PAPERS, type Paper } from './row'
+import { PAPERS, type Paper } from './row.ts'
 
 /** What REPRODUCTION.claims.json holds: read when the page is built. */
 

@@ -1,0 +1,138 @@
+import * as Comlink from 'comlink'
+import { bands, carryOut, compare, generateScene, load, reachability, reached, ready, serveBy, suggest, Trial } from 'forage-lab'
+import type { Finding, GeneratorName, Reachability, Scene, Setup, UncheckedSetup } from 'forage-lab'
+import type { Files } from '../host'
+import { from } from './files'
+import { causeOf, refusalOf } from './refusal'
+import { breathe, SLICE } from './pace'
+import type { Answer, Refusal } from '../protocol'
+import type { Answered, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
+
+const curves = new Map<string, Map<number, Measured>>()
+let stopped = false
+
+/** How far above the optimum, as a share of it. */
+function inGap({ evaluations, values, exact }: Measured): Curve {
+  return { evaluations, values: exact ? values.map((value) => (value - exact) / exact) : values }
+}
+
+/** With a short message. The module's memory is in an unknown state then: another thread takes the place of this one. */
+const broken = (error: unknown): Error => new Error(causeOf(error), { cause: error })
+
+/** What the core refuses. Other errors are thrown. */
+function refusedBy(error: unknown): Refusal {
+  const refusal = refusalOf(error)
+  if (!refusal) throw broken(error)
+  return refusal
+}
+
+/** Steps in slices, and long steps in parts, so that it can be called off; false if it was. */
+async function stepToEnd(trial: Trial): Promise<boolean> {
+  let pace = 1
+  for (;;) {
+    const began = performance.now()
+    const status = trial.advance(pace)
+    if (status !== 'running' && status !== 'partly') return true
+    pace = Math.max(1, Math.floor(pace * Math.min(2, SLICE / Math.max(performance.now() - began, 0.1))))
+    await breathe()
+    if (stopped) return false
+  }
+}
+
+const api = {
+  /** Where a thread cannot find the package's files, it is given them before anything else. */
+  open(files: Files): void {
+    serveBy(from(files))
+  },
+
+  /** A run that a planner of planners needs. */
+  carryOut: (subtask: Parameters<typeof carryOut>[0]): Promise<Finding> => ready(() => carryOut(subtask)),
+
+  /** Where the tip of an arm can come, on a lattice of this step. */
+  async reach(scene: Scene, step: number): Promise<Answer<Reachability>> {
+    try {
+      return { ok: true, value: await ready(() => reachability(scene, step)) }
+    } catch (error) {
+      return { ok: false, refusal: refusedBy(error) }
+    }
+  },
+
+  /** Carries out a run to its end, or until `stop`. */
+  async run({ setup, maps, seed }: Errand): Promise<Ending> {
+    stopped = false
+    let trial: Trial
+    try {
+      await load('links')
+      trial = await ready(() => {
+        const scene = maps ? generateScene(maps.generator as GeneratorName, { ...maps.params }, seed) : setup.scene
+        return new Trial({ ...setup, scene } as Setup, undefined)
+      })
+    } catch (error) {
+      return { is: 'refused', refusal: refusedBy(error) }
+    }
+    try {
+      if (stopped || !(await stepToEnd(trial))) return { is: 'stopped' }
+      const { evaluations, values } = trial.curve()
+      const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
+      return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
+    } catch (error) {
+      throw broken(error)
+    } finally {
+      trial.free()
+    }
+  },
+
+  stop(): void {
+    stopped = true
+  },
+
+  /** A generator's map for a seed. */
+  async map({ generator, params }: Maps, seed: number): Promise<Made> {
+    try {
+      return { scene: await ready(() => generateScene(generator as GeneratorName, { ...params }, seed)) }
+    } catch (error) {
+      return { refused: refusedBy(error) }
+    }
+  },
+
+  /** What is wrong with a setup. */
+  async check(setup: UncheckedSetup): Promise<Refusal | null> {
+    try {
+      await ready(() => suggest(setup as Setup))
+      return null
+    } catch (error) {
+      return refusedBy(error)
+    }
+  },
+
+  /** Summaries and tests. Curves that were told before need not be told again. */
+  async summarise({ relative, curves: told, groups, common }: Question): Promise<Answered> {
+    await load('statistics')
+    for (const { key, seed, curve } of told) {
+      const of = curves.get(key) ?? new Map<number, Measured>()
+      curves.set(key, of.set(seed, curve))
+    }
+    const runs = groups
+      .map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
+      .map((some) => (relative ? some.map(inGap) : some))
+    const settled = compare(groups.map((group) => ({ name: group.name, values: group.settled })))
+    return {
+      comparison: compare(groups),
+      friedman: compare(common).friedman,
+      settled: settled.groups.map(({ summary }) => summary?.median ?? null),
+      bands: bands(
+        runs,
+        groups.map(({ end }) => end),
+      ),
+      reached: groups.map((group) => reached(group.reached)),
+    }
+  },
+
+  /** Forgets the curves of groups that are not asked for any more. */
+  forget(keys: string[]): void {
+    for (const key of keys) curves.delete(key)
+  },
+}
+
+export type TaskApi = typeof api
+Comlink.expose(api)
