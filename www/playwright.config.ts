@@ -5,6 +5,7 @@ import { SITE } from './tests/support/site'
 
 export default defineConfig({
   testDir: 'tests',
+  testMatch: '**/*.spec.ts',
   outputDir: 'test-results',
   reporter: 'list',
   fullyParallel: true,
