@@ -26,7 +26,7 @@ export default defineConfig({
   base: './',
   plugins: [
     svelte(),
-    early({ fetched: ['forage_bg', 'catalogue'], modules: ['run-thread', 'render-thread'] }),
+    early(['forage_bg', 'catalogue']),
     formulas(core),
     palette(`${root}/src/describe/palette.json`),
     reproduction(root),

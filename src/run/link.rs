@@ -161,6 +161,9 @@ impl Run {
 /// What a packed scene begins with.
 const PACKED: char = '~';
 
+/// What the name of a scene begins with that a page keeps apart, for it is too large for a link.
+const APART: char = '@';
+
 /// The scene's file, deflated.
 fn packed(scene: &Scene) -> String {
     let deflated = miniz_oxide::deflate::compress_to_vec(scene.to_compact_json().as_bytes(), 9);
@@ -168,6 +171,9 @@ fn packed(scene: &Scene) -> String {
 }
 
 fn unpacked(registry: &Registry, text: &str) -> Result<Arc<Scene>, Error> {
+    if text.starts_with(APART) {
+        return Err(Error::malformed("link", message!("link-scene-apart", "its scene was too large for it, and is in a file of its own")));
+    }
     let Some(code) = text.strip_prefix(PACKED) else {
         return registry.scene(text);
     };
@@ -241,6 +247,7 @@ mod tests {
             ("#v=1&planner=pso&scene=sphere&p.w=9", "w: 9"),
             ("#v=1&planner=pso&scene=sphere&seed=9007199254740992", "seed"),
             ("#v=1&scene=~!!", "damaged"),
+            ("#v=1&planner=pso&scene=@0123456789abcdef", "a file of its own"),
             ("#v=1&scene=~AAAA", "damaged"),
             ("#v=1&seed=-1", "seed"),
             ("#v=1&planner=pso&scene=sphere&at=9007199254740992", "at: 9007199254740992"),

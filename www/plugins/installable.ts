@@ -20,7 +20,11 @@ async function scriptOf(worker: string, entries: readonly Entry[]): Promise<{ sc
     logLevel: 'error',
     publicDir: false,
     define: { PRECACHED: JSON.stringify(entries), 'process.env.NODE_ENV': '"production"' },
-    build: { write: false, license: true, rolldownOptions: { input: worker, output: { format: 'iife', codeSplitting: false } } },
+    build: {
+      write: false,
+      license: true,
+      rolldownOptions: { checks: { pluginTimings: false }, input: worker, output: { format: 'iife', codeSplitting: false } },
+    },
   })
   const { output } = (Array.isArray(built) ? built[0] : built) as Rolldown.RolldownOutput
   const licences = output.find((file) => file.type === 'asset' && file.fileName.endsWith('license.md'))

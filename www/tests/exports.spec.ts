@@ -34,11 +34,9 @@ test('scene, result, picture, drawing and curve are exported as they stand', asy
   })
   await test.step('drawing', async () => {
     const { content } = await exported(lab, 'svg')
-    const drawn = await page.evaluate((source) => {
-      const { documentElement } = new DOMParser().parseFromString(source, 'image/svg+xml')
-      return { root: documentElement.tagName, shapes: documentElement.querySelectorAll('path, circle, polyline, line').length }
-    }, content.toString())
-    expect(drawn.root).toBe('svg')
+    const [root] = /<\w+/.exec(content.toString()) ?? []
+    const drawn = { root, shapes: content.toString().match(/<(?:path|circle|polyline|line)\b/g)?.length }
+    expect(drawn.root).toBe('<svg')
     expect(drawn.shapes).toBeGreaterThan(8)
   })
   await test.step('curve', async () => {

@@ -1,3 +1,4 @@
+import { generateScene } from '../../pkg/node.js'
 import { linkTo, sceneOf, verified } from './support/core'
 import { en, expect, Lab, test } from './support/lab'
 import { Race } from './support/race'
@@ -190,4 +191,49 @@ test('open claims of a paper have an address', async ({ lab, page }) => {
   await page.reload()
   await expect(page.locator(`#${first}[open], #${second}[open]`)).toHaveCount(2)
   await expect(page.locator(`#${first}`)).toBeInViewport()
+})
+
+test('a scene too large for a link stays in this browser; its run is offered as a file, and elsewhere the link says so', async ({
+  lab,
+  page,
+  browser,
+}) => {
+  const scene = generateScene('random', { columns: 300, rows: 300, cell: 1, share: 0.3, stops: 0, moving: 0 }, 1)
+  await lab.open()
+  await lab.section('scene')
+  const buffer = Buffer.from(JSON.stringify({ ...scene, name: 'large', title: 'Large' }))
+  await page.getByTestId('scene-file').setInputFiles({ name: 'large.json', mimeType: 'application/json', buffer })
+  await expect(page.getByTestId('scene').locator('option:checked')).toHaveText('Large')
+  await page.getByTestId('planner').selectOption('dijkstra')
+  const hash = await lab.seek(20)
+  await expect(page).toHaveURL(/#v=1&planner=dijkstra&scene=@[0-9a-f]{16}&.*at=20/)
+  expect(page.url().length).toBeLessThan(300)
+  await lab.press(en.bar.copy)
+  await expect(page.getByTestId('export-why')).toHaveText(en.bar.tooLarge)
+  await page.keyboard.press('Escape')
+  const address = page.url()
+  await page.reload()
+  expect(await lab.settled(20)).toBe(hash)
+
+  const elsewhere = await browser.newContext({ serviceWorkers: 'block' })
+  const other = await elsewhere.newPage()
+  await other.goto(address)
+  await expect(other.getByTestId('notice')).toContainText('a file of its own')
+  await elsewhere.close()
+})
+
+test('from where an arm’s scene is seen goes with the link', async ({ lab, page }) => {
+  await lab.open(linkTo({ planner: 'rrt-guided', scene: 'arm-cuboid', seed: 1 }, 20))
+  await lab.settled(20)
+  await lab.stage.focus()
+  await page.keyboard.press('2')
+  await expect(page).toHaveURL(/&page\.camera=(-?[\d.]+,){4}0,0/)
+  await page.keyboard.press('+')
+  const camera = /page\.camera=([^&]*)/
+  const before = camera.exec(page.url())?.[1]
+  await expect.poll(() => camera.exec(page.url())?.[1]).not.toBe(before)
+  const url = page.url()
+  await page.reload()
+  await lab.settled(20)
+  await expect.poll(() => page.url()).toBe(url)
 })

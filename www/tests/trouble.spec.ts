@@ -77,6 +77,8 @@ test('where the thread that draws breaks down, or there can be none, the page dr
   expect(await lab.seek(20)).toBe(hash)
   expect((await lab.wholePicture()).digest).toBe(digest)
 
+  // The address is not written at once.
+  await expect(page).toHaveURL(/at=20&/)
   await page.evaluate(() => sessionStorage.setItem('none', 'yes'))
   await page.reload()
   await lab.settled(20)

@@ -17,6 +17,13 @@ test('what is written is read', () => {
   expect(readPageKeys('#v=1&planner=wcpso')).toEqual(NO_KEYS)
 })
 
+test('a camera in space is read, too', () => {
+  const camera = { target: [0.5, 0.25, 0.125] as [number, number, number], distance: 2.5, azimuth: -62, elevation: 27 }
+  const written = writePageKeys({ ...NO_KEYS, camera })
+  expect(written).toBe('&page.camera=0.5,0.25,0.125,2.5,-62,27')
+  expect(readPageKeys(`#v=1${written}`)).toEqual({ ...NO_KEYS, camera })
+})
+
 test.each([
   'page.item=<img onerror>.1&page.camera=1,2&page.layers=',
   'page.item=particles.-1&page.camera=1,2,0&page.layers=__proto__,-constructor%00',

@@ -1,12 +1,22 @@
-import type { Item, Point } from 'forage-lab'
+import type { Item, Point, Point3 } from 'forage-lab'
 
 /* Keys of a link that say how the page shows the run. The core skips all that begin with `page.`. */
 
-/** The middle of what is seen, and how many times larger it is than with the whole scene in view. */
-export interface Camera {
+/** Of a scene in space: what is looked at, how far away, and from where, in degrees about z from x and above the floor. */
+export interface SpaceCamera {
+  target: Point3
+  distance: number
+  azimuth: number
+  elevation: number
+}
+
+/** Of the plane: the middle of what is seen, and how many times larger it is than with the whole scene in view. */
+export interface PlaneCamera {
   center: Point
   zoom: number
 }
+
+export type Camera = PlaneCamera | SpaceCamera
 
 export interface PageKeys {
   /** The item that is explained. */
@@ -31,11 +41,14 @@ const brief = (value: number): string => String(Number(value.toPrecision(DIGITS)
 export function writePageKeys({ item, camera, layers }: PageKeys): string {
   const entries: [string, string][] = []
   if (item) entries.push(['item', `${item.role}.${item.index}`])
-  if (camera) entries.push(['camera', [...camera.center, camera.zoom].map(brief).join()])
+  if (camera) entries.push(['camera', numbersOf(camera).map(brief).join()])
   const changed = Object.entries(layers)
   if (changed.length > 0) entries.push(['layers', changed.map(([role, on]) => (on ? role : `-${role}`)).join()])
   return entries.map(([key, value]) => `&${PREFIX}${key}=${value}`).join('')
 }
+
+const numbersOf = (camera: Camera): number[] =>
+  'zoom' in camera ? [...camera.center, camera.zoom] : [...camera.target, camera.distance, camera.azimuth, camera.elevation]
 
 /** What a link says; what cannot be read is left out, for the run matters more. */
 export function readPageKeys(link: string): PageKeys {
@@ -58,9 +71,12 @@ function itemOf(value: string): Item | null {
 }
 
 function cameraOf(value: string): Camera | null {
-  const [x, y, zoom, ...rest] = value.split(',').map((part) => (part === '' ? Number.NaN : Number(part)))
-  if (x === undefined || y === undefined || zoom === undefined || rest.length > 0) return null
-  return [x, y, zoom].every(Number.isFinite) && zoom > 0 ? { center: [x, y], zoom } : null
+  const numbers = value.split(',').map((part) => (part === '' ? Number.NaN : Number(part)))
+  if (!numbers.every(Number.isFinite)) return null
+  const [x = 0, y = 0, third = 0, fourth = 0, azimuth = 0, elevation = 0] = numbers
+  if (numbers.length === 3) return third > 0 ? { center: [x, y], zoom: third } : null
+  if (numbers.length === 6) return fourth > 0 ? { target: [x, y, third], distance: fourth, azimuth, elevation } : null
+  return null
 }
 
 function layersOf(value: string): Record<string, boolean> {

@@ -8,7 +8,7 @@ import type { Camera } from './page-keys'
 
 /** The run's picture on its way to whom it is drawn by, and what of the plane is seen. */
 export class PictureStore {
-  /** What the stage shows of the plane; null: all of the scene. */
+  /** What the stage shows of the plane, or from where space is seen; null: all of the scene. */
   camera = $state.raw<Camera | null>(null)
   /** What a link wants it to show, until it does. */
   wantedCamera = $state.raw<Camera | null>(null)

@@ -1,3 +1,5 @@
+import { shortened } from './large-links'
+
 /** What the page shows: one run, many, some beside each other, or what was published. */
 export const VIEWS = ['stage', 'batch', 'race', 'papers'] as const
 export type View = (typeof VIEWS)[number]
@@ -57,13 +59,13 @@ class Route {
 
   /** The run's link: at once where it stays, seldom while it plays. */
   write(link: string, when: 'now' | 'soon'): void {
-    this.link = link
+    this.link = shortened(link)
     if (this.view === 'stage') this.replaceWhen(when)
   }
 
   /** How a view stands, as keys of its address. */
   stand(view: View, keys: string, when: 'now' | 'soon'): void {
-    this.standing.set(view, keys)
+    this.standing.set(view, shortened(keys))
     // What the address wants of it is not done yet.
     if (view === this.view && this.wanted.taken) this.replaceWhen(when)
   }
@@ -118,7 +120,9 @@ class Route {
       if (known) this.replace()
       return null
     }
-    if (this.link !== '' && (history.state as typeof this.mark | null)?.opened === this.opened) {
+    // What somebody wrote may have been overwritten by the run's link before anybody was told of it: the entry is marked as ours then.
+    const overwritten = location.hash !== hash
+    if (!overwritten && this.link !== '' && (history.state as typeof this.mark | null)?.opened === this.opened) {
       this.replace()
       return null
     }

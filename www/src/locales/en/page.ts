@@ -20,6 +20,7 @@ export const en = {
     redo: 'Redo the edit',
     copy: 'Copy link',
     copied: 'Link copied',
+    tooLarge: 'With this scene a link is longer than 8 kB, and many programs cut it off. Save the run, or its scene, as a file instead.',
     copyFailed: 'The link is in the address bar; copying was not allowed.',
     embed: 'Embed',
     exports: 'Export',

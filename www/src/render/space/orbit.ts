@@ -47,6 +47,13 @@ export function aim(camera: PerspectiveCamera, orbit: Orbit): void {
   camera.updateMatrixWorld()
 }
 
+/** An orbit as near, far and high as one can go by hand; `whole`: how far away all is seen. */
+export const bounded = (orbit: Orbit, whole: number): Orbit => ({
+  ...orbit,
+  distance: MathUtils.clamp(orbit.distance, whole * ZOOM.least, whole * ZOOM.most),
+  elevation: MathUtils.clamp(orbit.elevation, LOWEST, 90),
+})
+
 /** Metres that a pixel is wide, where it is looked at. */
 export const pixel = ({ distance }: Orbit, { height }: Size): number => (2 * slope * distance) / Math.max(1, height)
 

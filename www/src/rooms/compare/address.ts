@@ -1,5 +1,6 @@
 import type { Catalogue, LinkSetup, ParameterValue, Scene } from 'forage-lab'
 import type { Questions } from '../../engine/host/questions'
+import { restored } from '../../stores/large-links'
 import { sameScene } from '../../scene/equality'
 
 /* Planners with their parameters, and a scene, as keys of an address: `scene=sphere&with=pso,wpso;w_max=0.8`. */
@@ -50,9 +51,9 @@ export interface Named {
 /** Has the core read what an address names, planner by planner, as it reads links. Null where nothing of it is taken. */
 export async function named(api: Pick<Questions, 'parseLink'>, scene: string, contenders: string): Promise<Named | { refused: string[] }> {
   const answers = await Promise.all(
-    contendersOf(contenders).map(({ planner, pairs }) => {
+    contendersOf(contenders).map(async ({ planner, pairs }) => {
       const params = pairs.map(([name, value]) => `&p.${plain(decoded(name))}=${decoded(value)}`).join('')
-      return api.parseLink(`#v=1&planner=${planner}&scene=${scene}&seed=1${params}&at=0`)
+      return api.parseLink(await restored(`#v=1&planner=${planner}&scene=${scene}&seed=1${params}&at=0`))
     }),
   )
   const taken = answers.flatMap((answer): LinkSetup[] => (answer.ok ? [answer.value] : []))
