@@ -41,8 +41,8 @@ export interface EmbeddedRun {
 }
 
 /**
- * Speaks with the run in an iframe. Only messages of that very frame, from the origin of its address, are listened to, and only that
- * origin is told anything.
+ * Speaks with the run in an iframe. Only messages of that very frame, from the origin of its address, are listened to, and messages
+ * go to that origin only.
  * @param options `origin`: where the frame's page is from, if that is not in its address
  */
 export function connect(frame: HTMLIFrameElement, options?: { origin?: string }): EmbeddedRun

@@ -4,8 +4,8 @@
 const VERSION = 1
 
 /**
- * Speaks with the run in an iframe. Only messages of that very frame, from the origin of its address, are listened to, and only that
- * origin is told anything.
+ * Speaks with the run in an iframe. Only messages of that very frame, from the origin of its address, are listened to, and messages
+ * go to that origin only.
  */
 export function connect(frame, { origin = new URL(frame.src, location.href).origin } = {}) {
   const listeners = new Set()

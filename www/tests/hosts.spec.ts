@@ -81,7 +81,7 @@ for (const [width, height] of [
   })
 }
 
-test('a page around an embed plays, steps and seeks it, and is told what happens; nobody else is', async ({ page, watched }) => {
+test('a page around an embed plays, steps and seeks it, and receives its events; no other frame does', async ({ page, watched }) => {
   await watched.course(
     `<iframe id="run" src="${SITE}?embed${SWARM.replaceAll('&', '&amp;')}" width="480" height="320"></iframe>
      <iframe id="other" srcdoc="<script>setInterval(() => parent.frames[0].postMessage({ forage: 1, is: 'seek', to: 90 }, '*'), 50)</script>"></iframe>

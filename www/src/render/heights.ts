@@ -51,7 +51,7 @@ export class Heights {
       this.busy = false
       this.answered()
     } catch {
-      // The thread broke down: the next one is asked anew.
+      // The thread broke down: the next one is asked.
       this.asked = ''
       this.busy = false
     }

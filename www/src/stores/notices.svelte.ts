@@ -6,7 +6,7 @@ interface Unloaded {
   ask(): Promise<unknown>
 }
 
-/** What the user is told above all that is shown. */
+/** Messages above everything else. */
 export class NoticesStore {
   text = $state('')
   unloaded = $state.raw<Unloaded | null>(null)

@@ -16,7 +16,7 @@ const paramsOf = (text: string): string[] =>
 
 /**
  * The link of the run that an element's attributes ask for. Without a scene it is the first that the planner runs on. What is wrong
- * with it is said by whoever opens it.
+ * with it is known when it is opened.
  */
 export function linkOf(read: Read, { planners, scenes }: Catalogue): string {
   const layers = read('layers')?.trim()

@@ -1,4 +1,5 @@
-import { obey, type RunCommand, type RunEvent, tell } from '../../rooms/embed/remote.svelte'
+import type { RunCommand, RunEvent } from 'forage-lab/embed'
+import { obey, tell } from '../../rooms/embed/remote.svelte'
 import type { Lab } from '../../stores/lab.svelte'
 
 /** The mark of messages between an embedded run and the page around it, with the version of what they say. */

@@ -1,29 +1,5 @@
+import type { RunCommand, RunEvent, RunState } from 'forage-lab/embed'
 import type { Lab } from '../../stores/lab.svelte'
-
-/** Where a run is, as those are told who embed it. */
-export interface RunState {
-  planner: string
-  scene: string
-  seed: number
-  iteration: number
-  /** The iteration at which it ends at the latest. */
-  limit: number
-  status: string
-  playing: boolean
-  /** The fingerprint of what was computed up to here; empty on the way. */
-  hash: string
-}
-
-/** What happens to an embedded run: it is there; it has come to another iteration; it has ended; something went wrong. */
-export type RunEvent = { is: 'ready' | 'step' | 'end'; state: RunState } | { is: 'error'; message: string }
-
-/** What an embedded run can be asked to do. */
-export type RunCommand =
-  | { is: 'play' }
-  | { is: 'pause' }
-  | { is: 'step'; by?: number }
-  | { is: 'seek'; to: number }
-  | { is: 'open'; link: string }
 
 export const stateOf = ({ playback, run, scene, setup }: Lab): RunState => ({
   planner: setup.plannerName,
