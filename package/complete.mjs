@@ -256,9 +256,9 @@ export function speakBy(say: Say): void;
 
 /**
  * From where the package's files come, if not from where the package is: \`serve('grid.wasm')\` and
- * \`serve('locales/en/grid.json')\` promise responses. To be called before anything is loaded. In Node they are read from where they are.
+ * \`serve('locales/en/grid.json')\` promise a \`Response\`. To be called before anything is loaded. In Node they are read from where they are.
  */
-export function serveBy(serve: (file: string) => Promise<Response>): void;
+export function serveBy(serve: (file: string) => Promise<object>): void;
 
 /**
  * In a page, before anything else: loads the swarms and links. In Node everything is ready on import.

@@ -8,7 +8,7 @@ import type { Awaited } from './awaited.svelte'
 import type { Followers } from './followers.svelte'
 import type { LayersStore } from './layers.svelte'
 import type { NoticesStore } from './notices.svelte'
-import { restored } from './large-links'
+import { isShortened, restored } from './large-links'
 import { type PageKeys, readPageKeys } from './page-keys'
 import type { ParametersStore } from './parameters.svelte'
 import type { PictureStore } from './picture.svelte'
@@ -51,7 +51,7 @@ export class Starts {
     const request = this.requests.note('setup', 'seed')
     let opened = true
     await this.awaited.add(
-      async () => this.stores.api.parseLink(await restored(link)),
+      async () => this.stores.api.parseLink(isShortened(link) ? await restored(link) : link),
       (answer) => {
         opened = answer.ok
         if (!answer.ok) this.stores.notices.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))

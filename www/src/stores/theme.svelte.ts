@@ -1,3 +1,4 @@
+import { MediaQuery } from 'svelte/reactivity'
 import { recall, remember } from './storage'
 
 export const CHOICES = ['system', 'light', 'dark'] as const
@@ -5,17 +6,12 @@ export type Choice = (typeof CHOICES)[number]
 
 export const isChoice = (value: string | null): value is Choice => CHOICES.some((choice) => choice === value)
 
-const night = matchMedia('(prefers-color-scheme: dark)')
+const night = new MediaQuery('prefers-color-scheme: dark')
 
 /** Whether it is drawn for day or night. */
 export class Theme {
   choice = $state<Choice>('system')
-  private system = $state(night.matches)
-  readonly dark = $derived(this.choice === 'dark' || (this.choice === 'system' && this.system))
-
-  constructor() {
-    night.addEventListener('change', ({ matches }) => (this.system = matches))
-  }
+  readonly dark = $derived(this.choice === 'dark' || (this.choice === 'system' && night.current))
 
   /** The choice of before, where the browser remembers it. */
   recall(): this {
