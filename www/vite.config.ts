@@ -46,6 +46,7 @@ export default defineConfig({
     format: 'es',
     // What a thread is made of is a file of its own: others import it, and none its worker's script.
     rolldownOptions: {
+      checks: { pluginTimings: false },
       output: {
         codeSplitting: { groups: ['run', 'trial', 'render'].map((kind) => ({ name: `${kind}-thread`, test: `${kind}-thread.ts` })) },
       },
