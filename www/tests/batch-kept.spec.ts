@@ -74,6 +74,12 @@ test('where a browser keeps nothing, results are dropped only when asked or save
   await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-done', '0')
 })
 
+test('an address that makes no sense says so, and the view begins as without one', async ({ lab, page }) => {
+  await lab.open('#view=batch&maps=nowhere;%=%&seeds=9-1&with=aco')
+  await expect(page.getByTestId('batch-notice')).toContainText('nowhere')
+  await expect(page.getByTestId('entrant')).toHaveCount(4)
+})
+
 test('a plan with random maps and parameters has an address; what cannot be read of one is said', async ({ lab, page }) => {
   await lab.open('#view=batch&maps=rooms;columns=20;rows=20&seeds=3-6&with=aco;alpha=2,dijkstra,nobody')
   await expect(page.getByTestId('batch-notice')).toContainText('nobody')

@@ -195,6 +195,15 @@ test('an element begins when it comes into view, rests out of sight, and follows
   // One that is taken away leaves no thread behind.
   await run.evaluate((element) => element.remove())
   await expect.poll(() => page.workers().length).toBeLessThanOrEqual(1)
+  // Nor does one that is gone before it has begun.
+  await page.evaluate(async () => {
+    const run = Object.assign(document.createElement('forage-run'), { style: 'position: fixed; inset: 0' })
+    document.body.append(run)
+    while (run.dataset.phase === undefined) await new Promise(requestAnimationFrame)
+    run.remove()
+  })
+  await page.waitForTimeout(500)
+  expect(page.workers().length).toBeLessThanOrEqual(1)
 })
 
 test(
@@ -280,4 +289,8 @@ test('the example page shows what its links and attributes say', async ({ page, 
   )
   await expect(ants).toHaveAttribute('data-hash', verified(ANTS).hash ?? '')
   await hashIn(embedIn(page)).toHaveAttribute('data-hash', verified(ARM).hash ?? '')
+  // On a phone nothing is wider than the screen.
+  await page.setViewportSize({ width: 390, height: 844 })
+  const widths = await page.locator('forage-run').evaluateAll((all) => all.map((run) => run.getBoundingClientRect().right))
+  expect(Math.max(...widths)).toBeLessThanOrEqual(390)
 })

@@ -30,6 +30,8 @@ export function nameOf(text: string): string {
 }
 
 const kept = new Set<string>()
+/** This browser keeps nothing: addresses are as long as they are. */
+let unable = false
 
 async function keep(name: string, text: string): Promise<void> {
   if (kept.has(name)) return
@@ -47,9 +49,11 @@ async function keep(name: string, text: string): Promise<void> {
 /** A link or address as it is shown: a large scene is kept apart, where a browser can. */
 export function shortened(link: string): string {
   const [, , text] = SCENE.exec(link) ?? []
-  if (link.length <= LARGEST || text === undefined) return link
+  if (unable || link.length <= LARGEST || text === undefined) return link
   const name = nameOf(text)
-  keep(name, text).catch(() => kept.delete(name))
+  keep(name, text).catch(() => {
+    unable = true
+  })
   return link.replace(SCENE, `$1@${name}`)
 }
 

@@ -14,7 +14,7 @@ import Run from './Run.svelte'
 /** The styles of all that an element shows: put there while building. */
 declare const ELEMENT_STYLES: string
 const HOST =
-  ':host{display:block;position:relative;min-width:320px;min-height:240px;aspect-ratio:3/2;overflow:hidden}:host([hidden]){display:none}'
+  ':host{display:block;position:relative;width:100%;min-width:320px;min-height:240px;aspect-ratio:3/2;overflow:hidden}:host([hidden]){display:none}'
 
 let shared: CSSStyleSheet | undefined
 
@@ -44,7 +44,8 @@ export class ForageRun extends HTMLElement {
   private shown: Shown | undefined
   private readonly look = $state<{ controls: Controls }>({ controls: 'play' })
   private readonly theme = new Theme()
-  /** It was playing when it went out of sight. */
+  private visible = false
+  /** It goes on when it comes into view. */
   private resumes = false
   /** Several attributes that change at once are one change. */
   private changed = false
@@ -116,6 +117,7 @@ export class ForageRun extends HTMLElement {
   }
 
   private see(visible: boolean): void {
+    this.visible = visible
     if (!visible) {
       const { playback } = this.shown?.lab ?? {}
       if (playback?.playing) {
@@ -131,13 +133,23 @@ export class ForageRun extends HTMLElement {
   }
 
   private async openAgain(): Promise<void> {
-    const link = linkOf((name) => this.getAttribute(name), await host().catalogue())
-    await this.shown?.lab.openLink(link)
-    this.playAlone()
+    try {
+      await this.shown?.lab.openLink(await this.link())
+      this.playAlone()
+    } catch (error) {
+      this.fail(error)
+    }
+  }
+
+  /** The link that the attributes ask for. */
+  private async link(): Promise<string> {
+    return linkOf((name) => this.getAttribute(name), await host().catalogue())
   }
 
   private playAlone(): void {
-    if (this.hasAttribute('autoplay') && !stillness.matches) this.shown?.lab.playback.play()
+    if (!this.hasAttribute('autoplay') || stillness.matches) return
+    if (this.visible) this.shown?.lab.playback.play()
+    else this.resumes = true
   }
 
   private begin(): Shown {
@@ -168,12 +180,18 @@ export class ForageRun extends HTMLElement {
 
   private async start(lab: Lab, address: { first: string | null }): Promise<void> {
     try {
-      address.first = linkOf((name) => this.getAttribute(name), await host().catalogue())
+      address.first = await this.link()
+      // It may have been taken away meanwhile.
+      if (this.shown?.lab !== lab) return
       await lab.open()
       this.playAlone()
     } catch (error) {
-      this.dispatch({ is: 'error', message: error instanceof Error ? error.message : String(error) })
+      this.fail(error)
     }
+  }
+
+  private fail(error: unknown): void {
+    this.dispatch({ is: 'error', message: error instanceof Error ? error.message : String(error) })
   }
 
   private dispatch(event: RunEvent): void {

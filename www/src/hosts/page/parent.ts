@@ -5,7 +5,7 @@ import type { Lab } from '../../stores/lab.svelte'
 /** The mark of messages between an embedded run and the page around it, with the version of what they say. */
 export const MARK = { forage: 1 } as const
 
-/** The origin of the page around: nobody else is listened to, or told anything. */
+/** The origin of the page around: messages come from there and go there only. */
 function originOf(): string | null {
   const [around] = location.ancestorOrigins ?? []
   if (around) return around
@@ -17,8 +17,8 @@ function originOf(): string | null {
 }
 
 /**
- * Tells the page around what happens, and does what it asks for, until the returned function is called. A page is known by its
- * origin: one that hides it, and one opened from a disk, is neither told anything nor obeyed.
+ * Posts to the page around what happens, and does what it asks for, until the returned function is called. A page is known by its
+ * origin: with one that hides it, and with one opened from a disk, no messages are exchanged.
  */
 export function speakWith(parent: Window, lab: Lab): () => void {
   const origin = originOf()

@@ -48,7 +48,7 @@ export interface Named {
   refused: string[]
 }
 
-/** Has the core read what an address names, planner by planner, as it reads links. Null where nothing of it is taken. */
+/** Has the core read what an address names, planner by planner, as it reads links. Without a scene where nothing of it is taken. */
 export async function named(api: Pick<Questions, 'parseLink'>, scene: string, contenders: string): Promise<Named | { refused: string[] }> {
   const answers = await Promise.all(
     contendersOf(contenders).map(async ({ planner, pairs }) => {
@@ -57,13 +57,14 @@ export async function named(api: Pick<Questions, 'parseLink'>, scene: string, co
     }),
   )
   const taken = answers.flatMap((answer): LinkSetup[] => (answer.ok ? [answer.value] : []))
-  const refused = answers.flatMap((answer) => (answer.ok ? [] : [answer.refusal.message]))
+  const refused = [...new Set(answers.flatMap((answer) => (answer.ok ? [] : [answer.refusal.message])))]
   const [first] = taken
   if (!first) return { refused }
   return { scene: first.scene, contenders: taken.map(({ planner, params }) => ({ planner, params })), refused }
 }
 
-function decoded(text: string): string {
+/** A value as it is meant; as it is written where that makes no sense. */
+export function decoded(text: string): string {
   try {
     return decodeURIComponent(text)
   } catch {

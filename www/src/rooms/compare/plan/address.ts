@@ -1,7 +1,7 @@
 import type { Catalogue, ParameterValue, Scene } from 'forage-lab'
 import type { Questions } from '../../../engine/host/questions'
 import type { Made, Maps } from '../../../engine/trial.protocol'
-import { contendersOf, contendersText, named, shippedText, wholeIn } from '../address'
+import { contendersOf, contendersText, decoded, named, shippedText, wholeIn } from '../address'
 import { COUNT, MOST_ENTRANTS, MOST_ITERATIONS, type Plan } from './plan'
 
 /** A plan as keys of an address; null where its scene neither ships nor was packed by the core. */
@@ -37,12 +37,13 @@ export async function planOf(
   const [first, last] = (keys.get('seeds') ?? '').split('-')
   const from = wholeIn(first, 0, Number.MAX_SAFE_INTEGER - COUNT.most) ?? 1
   const to = wholeIn(last, from + COUNT.least - 1, from + COUNT.most - 1)
-  const made = await mapsOf(keys.get('maps') ?? '', from, catalogue, map)
+  const made = await mapsOf(keys.get('maps') ?? '', from, map)
+  if (made?.wrong) return { plan: null, wrong: [made.wrong] }
   // What planners take hangs on the kind of scene: on one that ships they are asked for.
   const kind = made?.scene?.kind
   const scene = kind ? (catalogue.scenes.find((shipped) => shipped.kind === kind)?.name ?? '') : (keys.get('scene') ?? '')
   const found = await named(api, scene, keys.get('with') ?? '')
-  const wrong = [...(made?.wrong ? [made.wrong] : []), ...found.refused]
+  const wrong = found.refused
   if (!('contenders' in found)) return { plan: null, wrong }
   const plan: Plan = {
     scene: made?.scene ?? found.scene,
@@ -55,19 +56,11 @@ export async function planOf(
   return { plan, wrong }
 }
 
-async function mapsOf(
-  text: string,
-  seed: number,
-  { generators }: Catalogue,
-  map: Readers['map'],
-): Promise<{ maps: Maps; scene?: Scene; wrong?: string } | null> {
+async function mapsOf(text: string, seed: number, map: Readers['map']): Promise<{ maps: Maps; scene?: Scene; wrong?: string } | null> {
   const [spread] = contendersOf(text)
   if (!spread) return null
-  const maps: Maps = {
-    generator: spread.planner,
-    params: Object.fromEntries(spread.pairs.map(([name, value]) => [decodeURIComponent(name), parsed(decodeURIComponent(value))])),
-  }
-  if (!generators.some(({ name }) => name === maps.generator)) return { maps, wrong: `maps: ${maps.generator}` }
+  const params = Object.fromEntries(spread.pairs.map(([name, value]) => [decoded(name), parsed(decoded(value))]))
+  const maps: Maps = { generator: spread.planner, params }
   const { scene, refused } = await map(maps, seed)
   return { maps, ...(scene && { scene }), ...(refused && { wrong: refused.message }) }
 }

@@ -295,7 +295,10 @@ export class Batch {
     const { api } = this.lab
     this.opening = true
     const { plan, wrong } = await planOf(keys, { catalogue, api, map: (maps, seed) => this.statistics.map(maps, seed) })
-    this.opening = false
+      .catch((error: unknown) => ({ plan: null, wrong: [error instanceof Error ? error.message : String(error)] }))
+      .finally(() => {
+        this.opening = false
+      })
     if (this.requests.replaced(request, GROUND)) return
     this.notice = wrong.length > 0 ? text.run.address(wrong.join(' ')) : ''
     if (plan) {

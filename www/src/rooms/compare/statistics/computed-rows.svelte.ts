@@ -20,9 +20,12 @@ export class ComputedRows {
   private readonly unsaved = new Set<Row>()
   /** How many rows the browser keeps, of all plans; null: it keeps none. */
   kept = $state<number | null>(0)
+  private running = false
   private readonly store = new KeptRows(
-    () => {
+    (unkept) => {
       this.kept = null
+      for (const row of unkept) this.unsaved.add(row)
+      this.guard(this.running)
     },
     () => void this.count(),
   )
@@ -97,6 +100,8 @@ export class ComputedRows {
 
   /** What was computed isn't dropped without asking. */
   guard(running: boolean): void {
+    this.running = running
+    if (!running) void this.store.flush()
     if (running || this.unsaved.size > 0) addEventListener('beforeunload', stay)
     else removeEventListener('beforeunload', stay)
   }

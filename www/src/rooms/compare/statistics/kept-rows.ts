@@ -23,9 +23,9 @@ export class KeptRows {
   private timer: ReturnType<typeof setTimeout> | undefined
   private readonly groups = new Map<string, number>()
 
-  /** `onfailed`: nothing can be kept here. `onwritten`: there are other rows than before. */
+  /** `onfailed`: nothing can be kept here, nor could these be. `onwritten`: there are other rows than before. */
   constructor(
-    private readonly onfailed: () => void,
+    private readonly onfailed: (rows: readonly Row[]) => void,
     private readonly onwritten: () => void,
   ) {}
 
@@ -49,7 +49,7 @@ export class KeptRows {
       const found = await database.getAll('rows', IDBKeyRange.bound([group, 0], [group, Infinity]))
       return new Map(found.map(({ seed, row }) => [seed, row]))
     } catch {
-      this.onfailed()
+      this.onfailed([])
       return new Map()
     }
   }
@@ -65,6 +65,7 @@ export class KeptRows {
     this.timer = undefined
     const { waiting } = this
     this.waiting = []
+    if (waiting.length === 0) return
     try {
       const transaction = (await this.open()).transaction(['groups', 'rows'], 'readwrite')
       for (const { name, seed, row } of waiting) {
@@ -76,7 +77,7 @@ export class KeptRows {
       await transaction.done
       this.onwritten()
     } catch {
-      this.onfailed()
+      this.onfailed(waiting.map(({ row }) => row))
     }
   }
 
@@ -99,7 +100,7 @@ export class KeptRows {
       await transaction.done
       this.onwritten()
     } catch {
-      this.onfailed()
+      this.onfailed([])
     }
   }
 }

@@ -114,7 +114,10 @@ export class Race extends Times {
   openAddress = async (keys: ReadonlyMap<string, string>): Promise<void> => {
     this.opening = true
     const found = await named(this.lab.api, keys.get('scene') ?? '', keys.get('with') ?? '')
-    this.opening = false
+      .catch((error: unknown) => ({ refused: [error instanceof Error ? error.message : String(error)] }))
+      .finally(() => {
+        this.opening = false
+      })
     this.notice = found.refused.length > 0 ? text.address(found.refused.join(' ')) : ''
     const { planners = [] } = this.lab.setup.catalogue ?? {}
     const first = 'contenders' in found ? planners.find(({ name }) => name === found.contenders[0]?.planner) : undefined
@@ -124,7 +127,13 @@ export class Race extends Times {
     }
     const task = taskOf(first)
     const able = fitting(this.lab.setup.catalogue, found.scene, task)
-    const entries = found.contenders.filter(({ planner }) => able.some(({ name }) => name === planner)).slice(0, MOST)
+    const runs = ({ planner }: Entry): boolean => able.some(({ name }) => name === planner)
+    const entries = found.contenders.filter(runs).slice(0, MOST)
+    const left = found.contenders.filter((entry) => !entries.includes(entry))
+    if (left.length > 0) {
+      const titles = left.map(({ planner }) => planners.find(({ name }) => name === planner)?.title ?? planner)
+      this.notice = [this.notice, text.left(titles, [], found.scene.title)].filter(Boolean).join(' ')
+    }
     const seed = wholeIn(keys.get('seed'), 0, Number.MAX_SAFE_INTEGER) ?? 1
     const at = wholeIn(keys.get('at'), 0, Number.MAX_SAFE_INTEGER)
     const begun = await this.set(found.scene, seed, entries, task)
