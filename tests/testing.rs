@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use forage::{
     Registry,
-    describe::{Entry, Formula, Preset, SceneKind, layers},
+    describe::{Entry, Formula, Layer, Look, Preset, SceneKind, layers},
     kernel::SceneKindId,
     params::{Fixed, Param},
     scene::{DISCS, discs},
@@ -22,6 +22,7 @@ use one_corner::{
 
 const GOOD_ENTRY: Entry = entry(start::<{ Nothing as u8 }>);
 const OTHER_PARAMETER: Param<u64> = Param::integer("other", "", "Other", [1, 3, 1], "Not listed.");
+const NEAR: Look = Look { near: true, ..Look::PLAIN };
 static GOOD: Entry = GOOD_ENTRY;
 
 /// Entries that say what is not so of a planner that does nothing wrong.
@@ -34,6 +35,7 @@ static ENTRIES: &[(&Entry, &str, &str)] = &[
     (&GOOD_ENTRY.readings(&[BEST, BEST]), "its_entry_is_complete", "each name once"),
     (&GOOD_ENTRY.readings(&[BEST, TRIED, OTHER]), "readings_are_those_of_the_entry", "Push every reading"),
     (&GOOD_ENTRY.layers(&[layers::BEST, layers::PARTICLES, CORNER]), "what_can_be_picked_is_explained", "at least one piece"),
+    (&GOOD_ENTRY.layers(&[layers::BEST, CORNER, Layer { look: &NEAR, ..CORNER }]), "its_entry_is_complete", "a lower `Look::order`"),
     (&GOOD_ENTRY.layers(&[layers::BEST.inspection(), CORNER]), "its_entry_is_complete", "after those that are drawn"),
     (
         &GOOD_ENTRY.members(&[STEPS, TRIES_OF_IT, STEPS_LEFT]),

@@ -34,6 +34,7 @@ export default defineConfig({
     installable(
       fileURLToPath(new URL('src/hosts/page/service-worker.ts', import.meta.url)),
       fileURLToPath(new URL('public/icon.svg', import.meta.url)),
+      `${root}/src/describe/palette.json`,
     ),
   ],
   resolve: {

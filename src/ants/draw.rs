@@ -15,13 +15,15 @@ use super::{
 /// Cells looked at beyond which single steps are not told apart.
 const NEAR: usize = 2500;
 
-/// How much lies on the strongest step from each cell; of large grids, on the strongest of a square of cells.
+/// How much more lies on the strongest step from each cell than where no ant has been; of large grids, on the strongest of a square
+/// of cells.
 pub(super) fn pheromone(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame) {
     let mut side = 1;
     while cells.columns.div_ceil(side) * cells.rows.div_ceil(side) > frame.budget() {
         side += 1;
     }
     let (columns, rows) = (cells.columns.div_ceil(side), cells.rows.div_ceil(side));
+    let untouched = pheromone.elsewhere();
     frame.begin(layers::PHEROMONE.key, Shape::Field);
     let middle = |i: usize| (i as f64 + 0.5) * side as f64 * cells.side;
     for row in 0..rows {
@@ -32,7 +34,8 @@ pub(super) fn pheromone(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame)
                     most = most.max(pheromone.strongest(cells, y * cells.columns + x));
                 }
             }
-            frame.push_field([middle(column), middle(row)], columns, most);
+            let more = if most < 0.0 { most } else { (most - untouched).max(0.0) };
+            frame.push_field([middle(column), middle(row)], columns, more);
         }
     }
 }

@@ -135,7 +135,7 @@ pub enum Weight {
     Share,
     /// A length or a cost, in the scene's unit.
     Length,
-    /// An amount of pheromone; below 0: there is no edge to hold any.
+    /// How much more pheromone than where no ant has been; below 0: there is no edge to hold any.
     Pheromone,
     /// A position in the best tour, from 0; −1: none.
     Place,

@@ -86,11 +86,13 @@ pub const MEAN_BEST: Layer = layer(
 
 const PHEROMONE_RAMP: Ramp = ramp(["pheromone-low", "pheromone", "pheromone-high"], true);
 const PHEROMONE_LOOK: Look = Look { ramp: Some(&PHEROMONE_RAMP), ..look("pheromone-high", 1.0, 2) };
-const TRAILS_LOOK: Look = Look { opacity: [0.0, 1.0], swell: 4.0, near: true, ..look("trail", 0.6, 4) };
-const ANTS_LOOK: Look = Look { point: 5.0, opacity: [0.14, 0.5], ..look("ant", 0.9, 18) };
-/// The pheromone on each cell's strongest edge.
+const TRAILS_LOOK: Look = Look { opacity: [0.0, 0.55], swell: 3.0, near: true, ..look("trail", 0.5, 4) };
+const ANTS_LOOK: Look = Look { point: 5.0, opacity: [0.14, 0.6], ..look("ant", 1.0, 18) };
+/// The pheromone on each cell's strongest edge: what differs from where no ant has been.
 pub const PHEROMONE: Layer =
-    layer("pheromone", "Pheromone", "How much lies on each cell’s strongest step.", &PHEROMONE_LOOK).weighted(Weight::Pheromone).pickable();
+    layer("pheromone", "Pheromone", "How much more lies on each cell’s strongest step than where no ant has been.", &PHEROMONE_LOOK)
+        .weighted(Weight::Pheromone)
+        .pickable();
 /// The pheromone on each directed edge.
 pub const TRAILS: Layer =
     layer("trails", "Trails", "How much more lies on each step than where no ant has been; seen from near.", &TRAILS_LOOK)

@@ -216,7 +216,8 @@ pub(super) const LAYERS_BARE: &[Layer] = &[
 
 /// What a drive on pheromone draws.
 pub(super) const LAYERS: &[Layer] = &[
-    layers::PHEROMONE.titled("Pheromone", "How much lies on each cell’s strongest step; the drive leaves it as it is."),
+    layers::PHEROMONE
+        .titled("Pheromone", "How much more lies on each cell’s strongest step than where no ant has been; the drive leaves it as it is."),
     layers::TRAILS.titled("Trails", "How much lies on each step; seen from near."),
     layers::ANTS.titled("Ants", "The ways of this iteration’s ants, while they plan."),
     layers::BEST.titled("Planned", "The shortest way so far, while the ants plan."),

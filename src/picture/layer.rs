@@ -68,8 +68,8 @@ mod tests {
         let picture = raster(&frame, &PHEROMONE, &PHEROMONE.look.ramp.unwrap().on(false)).unwrap();
         assert_eq!((picture.width, picture.height, picture.range), (3, 2, [0.0, 4.0]));
         assert_eq!((picture.bounds.min, picture.bounds.max), ([0.0, 0.0], [6.0, 4.0]));
-        assert_eq!(picture.pixels[8..12], [88, 40, 140, 235], "the strongest");
-        assert_eq!(picture.pixels[4..8], [123, 94, 167, 150], "the root of a quarter is the middle");
+        assert_eq!(picture.pixels[8..12], [88, 40, 140, 200], "the strongest");
+        assert_eq!(picture.pixels[4..8], [123, 94, 167, 136], "the root of a quarter is the middle");
         assert_eq!((picture.pixels[3], picture.pixels[15]), (0, 0), "the weakest and nothing are transparent");
         assert!(raster(&frame, &CLOSED, &[]).is_none());
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    describe::{Group, Scope, Shown},
+    describe::{Group, Layer, Scope, Shown},
     params::{Domain, Parameter, Value, When},
 };
 
@@ -24,10 +24,11 @@ const CONDITIONS: &str = "Let `when` name a parameter of the same entry and a va
 const PLACEHOLDERS: &str = "Let `@name@` in a formula name a reading or a parameter, or make it a `Formula::of_item`.";
 const COST: &str = "List a reading of `Group::Cost`: the convergence chart draws it.";
 const MARKS: &str = "List the layers that only explanations mark (`.inspection()`) after those that are drawn.";
+const GROUND: &str = "Give fields, and lines that are drawn from near, a lower `Look::order` than all else: they hide nothing.";
 const PRESETS: &str = "Let a preset name a shipped scene, and parameters with allowed values that differ from the defaults.";
 
 pub fn is_complete(subject: &Subject, findings: &mut Findings) {
-    let checks: [fn(&Subject) -> Checked; 8] = [names, texts, kinds, limit, unique, parameters, conditions, contents];
+    let checks: [fn(&Subject) -> Checked; 9] = [names, texts, kinds, limit, unique, parameters, conditions, contents, ground];
     checks.iter().for_each(|check| findings.look(check(subject)));
 }
 
@@ -131,6 +132,15 @@ fn contents(subject: &Subject) -> Checked {
     let (_, marks) = entry.drawn_and_marked();
     let drawn = marks.iter().find(|layer| layer.shown != Shown::Inspection);
     ensure(drawn.is_none(), MARKS, || format!("the layer `{}` comes after one of explanations", drawn.map_or("", |layer| layer.key.0)))
+}
+
+/// What covers the ground lies beneath all else.
+fn ground(subject: &Subject) -> Checked {
+    let is_ground = |layer: &&Layer| layer.look.ramp.is_some() || layer.look.near;
+    let (fields, others): (Vec<&Layer>, Vec<&Layer>) = subject.entry.layers.iter().partition(is_ground);
+    let lowest = others.iter().map(|layer| layer.look.order).min().unwrap_or(i16::MAX);
+    let above = fields.iter().find(|layer| layer.look.order >= lowest);
+    ensure(above.is_none(), GROUND, || format!("the layer `{}` is not beneath all others", above.map_or("", |layer| layer.key.0)))
 }
 
 /// The names between `@` in a formula.

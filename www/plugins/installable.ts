@@ -6,7 +6,6 @@ import { build, type Plugin, type Rolldown } from 'vite'
 const ICONS = [192, 512]
 /** The part of the icon that any shape of a launcher leaves. */
 const SAFE = 0.8
-const GROUND = '#23483a'
 
 interface Entry {
   url: string
@@ -36,15 +35,18 @@ async function scriptOf(worker: string, entries: readonly Entry[]): Promise<{ sc
  * Makes the page one that can be installed and opens without a network: its icons, its manifest, and the worker that keeps its files.
  * @param worker where the worker's script is
  * @param icon where the icon is, as SVG
+ * @param palette where each colour is by its name
  */
-export function installable(worker: string, icon: string): Plugin {
+export function installable(worker: string, icon: string, palette: string): Plugin {
+  const colorOf = async (name: 'brand' | 'surface'): Promise<string> =>
+    (JSON.parse(await readFile(palette, 'utf8')) as Record<'brand' | 'surface', [string, string]>)[name][0]
   return {
     name: 'forage-installable',
     apply: 'build',
     enforce: 'post',
-    transformIndexHtml: () => [
+    transformIndexHtml: async () => [
       { tag: 'link', attrs: { rel: 'manifest', href: './manifest.webmanifest' }, injectTo: 'head' as const },
-      { tag: 'meta', attrs: { name: 'theme-color', content: GROUND }, injectTo: 'head' as const },
+      { tag: 'meta', attrs: { name: 'theme-color', content: await colorOf('brand') }, injectTo: 'head' as const },
     ],
     generateBundle: {
       order: 'post',
@@ -65,7 +67,7 @@ export function installable(worker: string, icon: string): Plugin {
           .resize(inner)
           .png()
           .toBuffer()
-        const ground = sharp({ create: { width: 512, height: 512, channels: 4, background: GROUND } })
+        const ground = sharp({ create: { width: 512, height: 512, channels: 4, background: await colorOf('brand') } })
         this.emitFile({
           type: 'asset',
           fileName: 'icon-maskable.png',
@@ -86,8 +88,8 @@ export function installable(worker: string, icon: string): Plugin {
           start_url: './',
           scope: './',
           display: 'standalone',
-          background_color: '#fbf8f0',
-          theme_color: GROUND,
+          background_color: await colorOf('surface'),
+          theme_color: await colorOf('brand'),
           icons,
         }
         this.emitFile({ type: 'asset', fileName: 'manifest.webmanifest', source: JSON.stringify(manifest) })

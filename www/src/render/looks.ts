@@ -1,4 +1,5 @@
 import type { Catalogue, Color, Layer, Look, Planner, Ramp } from 'forage-lab'
+import { colorOf } from './palette'
 
 /** How something is drawn: a layer's look, or one in a colour of the page, by its token. */
 export type Style = Omit<Look, 'color'> & { color: Color | string }
@@ -11,7 +12,7 @@ export interface Names {
 }
 
 /** Of what has no layer of its own. */
-export const PLAIN: Look = { color: { light: '#808080', dark: '#808080' }, width: 1, order: 20, point: 3, opacity: [0.8, 0.8] }
+export const PLAIN: Look = { color: colorOf('--ink-2'), width: 1, order: 20, point: 3, opacity: [0.8, 0.8] }
 
 /** The names in frames that this planner draws. */
 export const namesOf = ({ shapes }: Catalogue, planner: Planner | undefined): Names => ({ layers: planner?.layers ?? [], shapes })

@@ -1,5 +1,6 @@
 import type { Color } from 'forage-lab'
 import type { Names, Style } from '../looks'
+import { colorOf } from '../palette'
 import { type Layers, spansOf, verticesOf } from '../frame'
 import { piecesOf } from './layers'
 import type { Pen } from './pen'
@@ -71,7 +72,7 @@ function rims({ context, size, density }: Pen, inner: Path2D, outer: Path2D, col
   ink.fillStyle = colour
   ink.fill(outer)
   ink.globalCompositeOperation = 'destination-out'
-  ink.fillStyle = '#000'
+  ink.fillStyle = colorOf('--light').light
   ink.fill(inner)
   ink.globalCompositeOperation = 'source-over'
   context.drawImage(sheet, 0, 0, size.width, size.height)

@@ -1,5 +1,6 @@
 import { BufferAttribute, BufferGeometry, CanvasTexture, type Color, DynamicDrawUsage, Points, PointsMaterial } from 'three'
 import type { Look } from 'forage-lab'
+import { colorOf } from '../palette'
 
 const SIDE = 64
 type Mark = Look['glyph']
@@ -20,7 +21,7 @@ export function form(mark?: Mark): CanvasTexture {
 
 function draw(context: CanvasRenderingContext2D, mark: Mark): void {
   const [middle, rim, width] = [SIDE / 2, 2, 13]
-  context.strokeStyle = context.fillStyle = '#fff'
+  context.strokeStyle = context.fillStyle = colorOf('--light').light
   context.lineWidth = width
   context.beginPath()
   if (mark === 'diamond') {

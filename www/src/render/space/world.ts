@@ -1,6 +1,6 @@
 import { DirectionalLight, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
 import type { Arm, ArmScene, ArmSolutions, Cuboid, Point3 } from 'forage-lab'
-import type { Palette } from '../palette'
+import { colorOf, type Palette } from '../palette'
 import type { Size } from '../view'
 import { Boxes, type Mood } from './boxes'
 import { Cloud } from './cloud'
@@ -16,6 +16,7 @@ const GHOST = { many: 0.16, one: 0.6 }
 /** Pixels finer than these cost more than they show. */
 const DENSEST = 2
 const SHADOWS = 2048
+const LIGHT = colorOf('--light').light
 
 /** A point on the screen, and how far it is from the eye. */
 export interface Seen {
@@ -33,8 +34,8 @@ export class World {
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW)
   private readonly room = new Room()
   private readonly boxes = new Boxes()
-  private readonly key = new DirectionalLight('#fff', 1.9)
-  private readonly sky = new HemisphereLight('#fff', '#fff', 1.6)
+  private readonly key = new DirectionalLight(LIGHT, 1.9)
+  private readonly sky = new HemisphereLight(LIGHT, LIGHT, 1.6)
   private skin: ReturnType<typeof skin> | undefined
   private machine: Machine | undefined
   private ghosts: Machine[] = []
@@ -55,7 +56,7 @@ export class World {
     this.key.shadow.radius = 5
     this.key.shadow.bias = -0.0004
     this.key.shadow.normalBias = 0.01
-    const fill = new DirectionalLight('#fff', 0.55)
+    const fill = new DirectionalLight(LIGHT, 0.55)
     fill.position.set(1.5, -1, 0.6)
     this.sky.position.set(0, 0, 1)
     this.scene.add(
