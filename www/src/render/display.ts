@@ -68,6 +68,10 @@ export interface Renderer {
   /** It is the renderer's from now on. */
   frame(frame: Frame, names: Names): void
   ground(ground: Ground | null): void
+  /** What is seen, as SVG with this title. */
+  svg(caption: string): Promise<string>
+  /** What is seen, as PNG with so many pixels a pixel of the page. */
+  picture(density: number): Promise<Blob>
   dispose(): void
 }
 

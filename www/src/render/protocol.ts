@@ -10,7 +10,14 @@ export type ToRenderer = { canvas: number } & (
   /** The layers that it counts are those of the frame before unless they are given. */
   | { is: 'frame'; frame: Frame; names?: Names }
   | { is: 'ground'; ground: Ground | null }
+  /** Is answered by `made` or `failed`. */
+  | ({ is: 'make'; id: number } & Wanted)
   | { is: 'close' }
 )
 
-export type FromRenderer = { canvas: number } & ({ is: 'released'; buffer: ArrayBuffer } | { is: 'drawn' } | { is: 'closed' })
+/** A picture as a file. */
+export type Wanted = { as: 'svg'; caption: string } | { as: 'picture'; density: number }
+
+export type FromRenderer = { canvas: number } & ({ is: 'released'; buffer: ArrayBuffer } | { is: 'drawn' } | { is: 'closed' } | Made)
+
+export type Made = { is: 'made'; id: number; file: string | Blob } | { is: 'failed'; id: number; message: string }

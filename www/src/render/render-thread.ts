@@ -2,7 +2,7 @@
 import { CanvasRenderer } from './canvas/renderer'
 import type { Display } from './display'
 import type { Names } from './looks'
-import type { FromRenderer, ToRenderer } from './protocol'
+import type { FromRenderer, ToRenderer, Wanted } from './protocol'
 
 interface Drawn {
   renderer: CanvasRenderer
@@ -19,6 +19,15 @@ function open(canvas: number, element: OffscreenCanvas): void {
     ondrawn: () => send({ canvas, is: 'drawn' }),
   })
   canvases.set(canvas, { renderer, display: {}, names: { layers: [], shapes: [] } })
+}
+
+async function make(canvas: number, renderer: CanvasRenderer, { id, ...wanted }: Wanted & { id: number }): Promise<void> {
+  try {
+    const file = await (wanted.as === 'svg' ? renderer.svg(wanted.caption) : renderer.picture(wanted.density))
+    send({ canvas, is: 'made', id, file })
+  } catch (error) {
+    send({ canvas, is: 'failed', id, message: String(error) })
+  }
 }
 
 addEventListener('message', ({ data }: MessageEvent<ToRenderer>) => {
@@ -38,6 +47,9 @@ addEventListener('message', ({ data }: MessageEvent<ToRenderer>) => {
       break
     case 'ground':
       renderer.ground(data.ground)
+      break
+    case 'make':
+      void make(data.canvas, renderer, data)
       break
     case 'close':
       renderer.dispose()

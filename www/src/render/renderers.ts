@@ -1,7 +1,7 @@
 import type { Display, Ground, Renderer, RendererListeners } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
-import type { FromRenderer, ToRenderer } from './protocol'
+import type { FromRenderer, Made, ToRenderer, Wanted } from './protocol'
 
 type Unaddressed<M> = M extends unknown ? Omit<M, 'canvas'> : never
 
@@ -9,6 +9,8 @@ type Unaddressed<M> = M extends unknown ? Omit<M, 'canvas'> : never
 class RemoteRenderer implements Renderer {
   private shown: Partial<Display> = {}
   private names: Names | undefined
+  private readonly waiting = new Map<number, { resolve(file: string | Blob): void; reject(error: Error): void }>()
+  private asked = 0
 
   constructor(private readonly send: (message: Unaddressed<ToRenderer>, transfer?: Transferable[]) => void) {}
 
@@ -30,8 +32,39 @@ class RemoteRenderer implements Renderer {
     this.send({ is: 'ground', ground }, ground ? [ground.bitmap] : [])
   }
 
+  svg(caption: string): Promise<string> {
+    return this.make({ as: 'svg', caption }) as Promise<string>
+  }
+
+  picture(density: number): Promise<Blob> {
+    return this.make({ as: 'picture', density }) as Promise<Blob>
+  }
+
+  private make(wanted: Wanted): Promise<string | Blob> {
+    this.asked += 1
+    const id = this.asked
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject })
+      this.send({ is: 'make', id, ...wanted })
+    })
+  }
+
+  /** The thread's answer; null: there will be none. */
+  answer(made: Made | null): void {
+    if (!made) {
+      for (const { reject } of this.waiting.values()) reject(new Error('the thread that draws broke down'))
+      this.waiting.clear()
+      return
+    }
+    const waiting = this.waiting.get(made.id)
+    this.waiting.delete(made.id)
+    if (made.is === 'made') waiting?.resolve(made.file)
+    else waiting?.reject(new Error(made.message))
+  }
+
   dispose(): void {
     this.send({ is: 'close' })
+    this.answer(null)
   }
 }
 
@@ -43,7 +76,7 @@ interface Listeners extends RendererListeners {
 /** Opens renderers: in one thread for all canvases of a page, or, where there can be none, where the page is. */
 export class Renderers {
   private worker: Worker | undefined
-  private readonly canvases = new Map<number, { listeners: Listeners; frames: number }>()
+  private readonly canvases = new Map<number, { listeners: Listeners; frames: number; renderer: RemoteRenderer }>()
   private opened = 0
   /** No thread draws here. */
   private alone = false
@@ -60,11 +93,10 @@ export class Renderers {
     }
     this.opened += 1
     const number = this.opened
-    const opened = { listeners, frames: 0 }
-    this.canvases.set(number, opened)
     const send = (message: Unaddressed<ToRenderer>, transfer: Transferable[] = []): void => {
       const isFrame = message.is === 'frame'
       if (worker !== this.worker) {
+        if (message.is === 'make') opened.renderer.answer(null)
         if (isFrame) listeners.onreleased(message.frame.buffer)
         return
       }
@@ -72,8 +104,10 @@ export class Renderers {
       worker.postMessage({ ...message, canvas: number }, transfer)
     }
     const element = canvas.transferControlToOffscreen()
+    const opened = { listeners, frames: 0, renderer: new RemoteRenderer(send) }
+    this.canvases.set(number, opened)
     send({ is: 'open', element }, [element])
-    return new RemoteRenderer(send)
+    return opened.renderer
   }
 
   private thread(): Worker | undefined {
@@ -97,6 +131,7 @@ export class Renderers {
     if (!opened) return
     if (message.is === 'closed') this.canvases.delete(message.canvas)
     else if (message.is === 'drawn') opened.listeners.ondrawn()
+    else if (message.is === 'made' || message.is === 'failed') opened.renderer.answer(message)
     else {
       opened.frames -= 1
       opened.listeners.onreleased(message.buffer)
@@ -110,7 +145,8 @@ export class Renderers {
     this.worker = undefined
     const lost = [...this.canvases.values()]
     this.canvases.clear()
-    for (const { listeners, frames } of lost) {
+    for (const { listeners, frames, renderer } of lost) {
+      renderer.answer(null)
       // Their buffers are gone; runs wait for as many.
       for (let frame = 0; frame < frames; frame += 1) listeners.onreleased(new ArrayBuffer(0))
       listeners.onlost()

@@ -1,4 +1,5 @@
 import { perLab } from '../../stores/context.svelte'
+import type { Renderer } from '../../render/display'
 import type { Lab } from '../../stores/lab.svelte'
 
 /** The canvases of a stage, lowest first, for those who want to save what they show. */
@@ -6,9 +7,11 @@ interface Canvases {
   canvas: HTMLCanvasElement | null
   over: HTMLCanvasElement | null
   draw?: (() => void) | undefined
+  /** Who draws the lowest, where it is one of the plane. */
+  renderer: Renderer | null
 }
 
-export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null }))
+export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null, renderer: null }))
 
 /** What is seen, as one picture. */
 export function seen(lab: Lab): HTMLCanvasElement | null {

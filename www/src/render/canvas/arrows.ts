@@ -1,4 +1,4 @@
-import type { Pen } from './pen'
+import { type Path, type Pen, pathOf } from './pen'
 import type { Style } from '../looks'
 import { rise } from '../view'
 
@@ -28,7 +28,7 @@ export function drawArrows(
   for (let at = 1; at < count; at += 1) length += Math.hypot(x(at) - x(at - 1), y(at) - y(at - 1))
   const apart = Math.max(APART, length / MOST)
   const long = Math.max(LONG, apart / 5)
-  const heads = new Path2D()
+  const heads = pathOf({ context })
   // Where all stretches are short, there is still one every so often.
   let since = apart / 2
   let from = 0
@@ -61,7 +61,7 @@ function straight(x0: number, y0: number, x1: number, y1: number, x2: number, y2
   return Math.abs(ax * by - ay * bx) < 1e-3 * Math.hypot(ax, ay) * Math.hypot(bx, by) && ax * bx + ay * by > 0
 }
 
-function head(path: Path2D, x: number, y: number, dx: number, dy: number): void {
+function head(path: Path, x: number, y: number, dx: number, dy: number): void {
   const [backX, backY] = [x - HEAD * dx, y - HEAD * dy]
   path.moveTo(x + HEAD * dx, y + HEAD * dy)
   path.lineTo(backX - SIDE * dy, backY + SIDE * dx)

@@ -2,7 +2,7 @@ import type { GridScene } from 'forage-lab'
 import { type Cell, columnsOf, middleOf, radiusOf } from '../../scene/cells'
 import { outlineOf } from './outline'
 import type { Palette } from '../palette'
-import type { Pen } from './pen'
+import type { Context, Pen } from './pen'
 import { type Size, toScreen, type View } from '../view'
 
 /** Cells of fewer pixels have no lines between them. */
@@ -35,6 +35,11 @@ export class Cells {
 
   draw(pen: Pen, scene: GridScene, margin: boolean): void {
     const { context, view, size, density, palette } = pen
+    if (context.path) {
+      paintCells(context, placeOf(scene, view, size), scene, palette, margin, density)
+      context.setTransform(density, 0, 0, density, 0, 0)
+      return
+    }
     const what = [
       scene.cell,
       radiusOf(scene),
@@ -81,8 +86,9 @@ export class Cells {
     }, REST)
   }
 
-  private render({ view, size, density, palette }: Pen, scene: GridScene, margin: boolean, what: string, where: string): void {
-    Object.assign(this, { what, where, size, rows: scene.rows, pieces: outlineOf(scene.rows).pieces })
+  private render(pen: Pen, scene: GridScene, margin: boolean, what: string, where: string): void {
+    const { view, size, density, palette } = pen
+    Object.assign(this, { what, where, size, rows: scene.rows, pieces: outlineOf(scene.rows, pen).pieces })
     const [width, height] = [Math.max(1, Math.round(size.width * density)), Math.max(1, Math.round(size.height * density))]
     this.canvas ??= new OffscreenCanvas(width, height)
     Object.assign(this.canvas, { width, height })
@@ -98,7 +104,7 @@ function placeOf(scene: GridScene, view: View, size: Size): Place {
 }
 
 function paintCells(
-  context: OffscreenCanvasRenderingContext2D,
+  context: Context,
   { left, top, side }: Place,
   scene: GridScene,
   palette: Palette,
@@ -106,7 +112,7 @@ function paintCells(
   density: number,
 ): void {
   const [columns, rows] = [columnsOf(scene), scene.rows.length]
-  const { filled, edge } = outlineOf(scene.rows)
+  const { filled, edge } = outlineOf(scene.rows, { context })
   const pixel = 1 / side
   context.setTransform(density * side, 0, 0, density * side, density * left, density * top)
   context.save()
@@ -136,7 +142,7 @@ function paintCells(
   if (side >= 3) context.stroke(edge)
 }
 
-function lines(context: OffscreenCanvasRenderingContext2D, columns: number, rows: number, pixel: number, palette: Palette): void {
+function lines(context: Context, columns: number, rows: number, pixel: number, palette: Palette): void {
   context.beginPath()
   for (let column = 1; column < columns; column += 1) context.rect(column, 0, 0, rows)
   for (let row = 1; row < rows; row += 1) context.rect(0, row, columns, 0)

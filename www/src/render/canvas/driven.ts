@@ -3,8 +3,8 @@ import type { Names, Style } from '../looks'
 import { colorOf } from '../palette'
 import { type Layers, spansOf, verticesOf } from '../frame'
 import { piecesOf } from './layers'
-import type { Pen } from './pen'
-import { beads, hatch, type Piece, tube } from './tubes'
+import { type Path, type Pen, pathOf } from './pen'
+import { type Bead, beads, hatch, type Piece, tube } from './tubes'
 
 /** The robot's mark is never smaller than this, in pixels from its centre to its rim. */
 const ROBOT = 8
@@ -15,7 +15,7 @@ export type Draw = (pen: Pen, style: Style, vertices: Float32Array, pieces: read
 
 const tubesOf = (pieces: readonly Piece[]): Piece[] => pieces.filter(({ shape }) => shape === 'tube')
 
-function fill({ context }: Pen, path: Path2D, colour: string | CanvasPattern | null, alpha = 1): void {
+function fill({ context }: Pen, path: Path, colour: string | CanvasPattern | null, alpha = 1): void {
   if (!colour) return
   context.globalAlpha = alpha
   context.fillStyle = colour
@@ -23,7 +23,7 @@ function fill({ context }: Pen, path: Path2D, colour: string | CanvasPattern | n
   context.globalAlpha = 1
 }
 
-function stroke({ context, palette }: Pen, path: Path2D, token: string | Color, width: number, dash: readonly number[] = []): void {
+function stroke({ context, palette }: Pen, path: Path, token: string | Color, width: number, dash: readonly number[] = []): void {
   context.setLineDash([...dash])
   context.lineWidth = width
   context.strokeStyle = palette.get(token)
@@ -33,7 +33,7 @@ function stroke({ context, palette }: Pen, path: Path2D, token: string | Color, 
 
 /** Discs with a hatch: walls are plain, and cells are square. */
 const moving: Draw = (pen, style, vertices, pieces) => {
-  const path = new Path2D()
+  const path = pathOf(pen)
   for (const piece of tubesOf(pieces)) {
     const line = beads(pen, vertices, piece)
     tube(path, line, Math.max(0, OBSTACLE - (line[0]?.[2] ?? 0)))
@@ -46,21 +46,18 @@ const moving: Draw = (pen, style, vertices, pieces) => {
 
 /** Shaded, so that what lies beneath can be seen, and outlined as one where ranges overlap. */
 const predicted: Draw = (pen, style, vertices, pieces) => {
-  const [inner, outer] = [new Path2D(), new Path2D()]
-  for (const piece of tubesOf(pieces)) {
-    const line = beads(pen, vertices, piece)
-    tube(inner, line)
-    tube(outer, line, style.width)
-  }
-  fill(pen, inner, pen.palette.get(style.fill ?? style.color))
-  fill(pen, inner, hatch(pen, style.color), 0.5)
-  rims(pen, inner, outer, pen.palette.get(style.color))
+  const lines = tubesOf(pieces).map((piece) => beads(pen, vertices, piece))
+  const path = pathOf(pen)
+  for (const line of lines) tube(path, line)
+  fill(pen, path, pen.palette.get(style.fill ?? style.color))
+  fill(pen, path, hatch(pen, style.color), 0.5)
+  rims(pen, lines, style)
 }
 
 let sheet: OffscreenCanvas | null = null
 
 /** The rim of what is covered by any of them: what is outside of all, cut out of what is a little wider. */
-function rims({ context, size, density }: Pen, inner: Path2D, outer: Path2D, colour: string): void {
+function rims({ context, size, density, palette }: Pen, lines: readonly Bead[][], { color, width: rim }: Style): void {
   const [width, height] = [Math.max(1, Math.round(size.width * density)), Math.max(1, Math.round(size.height * density))]
   sheet ??= new OffscreenCanvas(width, height)
   if (sheet.width !== width || sheet.height !== height) Object.assign(sheet, { width, height })
@@ -69,7 +66,12 @@ function rims({ context, size, density }: Pen, inner: Path2D, outer: Path2D, col
   ink.setTransform(1, 0, 0, 1, 0, 0)
   ink.clearRect(0, 0, width, height)
   ink.setTransform(density, 0, 0, density, 0, 0)
-  ink.fillStyle = colour
+  const [inner, outer] = [new Path2D(), new Path2D()]
+  for (const line of lines) {
+    tube(inner, line)
+    tube(outer, line, rim)
+  }
+  ink.fillStyle = palette.get(color)
   ink.fill(outer)
   ink.globalCompositeOperation = 'destination-out'
   ink.fillStyle = colorOf('--light').light
@@ -80,7 +82,7 @@ function rims({ context, size, density }: Pen, inner: Path2D, outer: Path2D, col
 
 /** A calm ring. */
 const sensor: Draw = (pen, style, vertices, pieces) => {
-  const path = new Path2D()
+  const path = pathOf(pen)
   for (const piece of tubesOf(pieces)) tube(path, beads(pen, vertices, piece))
   pen.context.globalAlpha = style.opacity[0]
   stroke(pen, path, style.color, style.width, style.dash)
@@ -101,16 +103,16 @@ const robot: Draw = (pen, style, vertices, pieces) => {
   context.save()
   context.translate(x, y)
   if (looks) context.rotate(Math.atan2(to[1] - from[1], to[0] - from[0]))
-  const round = new Path2D()
+  const round = pathOf(pen)
   round.arc(0, 0, radius, 0, 2 * Math.PI)
-  const wheels = new Path2D()
+  const wheels = pathOf(pen)
   const [long, wide] = [0.95 * radius, 0.34 * radius]
   for (const side of [-1, 1]) wheels.roundRect(-long / 2, side * radius - wide / 2, long, wide, wide / 2)
   for (const part of [wheels, round]) stroke(pen, part, '--stage', 4)
   fill(pen, wheels, palette.get(style.color))
   fill(pen, round, palette.get(style.fill ?? '--stage'))
   stroke(pen, round, style.color, style.width)
-  const head = new Path2D()
+  const head = pathOf(pen)
   if (looks) {
     head.moveTo(0.74 * radius, 0)
     head.lineTo(-0.42 * radius, 0.52 * radius)
@@ -126,7 +128,7 @@ const robot: Draw = (pen, style, vertices, pieces) => {
 
 /** Where a detour comes back. */
 const goal: Draw = (pen, style, vertices, pieces) => {
-  const path = new Path2D()
+  const path = pathOf(pen)
   for (const piece of pieces) {
     for (const [x, y] of beads(pen, vertices, piece)) {
       const half = style.point / 2
@@ -167,7 +169,7 @@ export const own = ({ glyph, lifted }: Style): Draw | undefined => (lifted && gl
 
 /** Any other tubes: what they cover, shaded. */
 export const drawTubes: Draw = (pen, style, vertices, pieces) => {
-  const path = new Path2D()
+  const path = pathOf(pen)
   for (const piece of tubesOf(pieces)) tube(path, beads(pen, vertices, piece))
   fill(pen, path, pen.palette.get(style.color), 0.2)
 }

@@ -1,17 +1,10 @@
 import type { Point } from 'forage-lab'
-import type { Pen } from './pen'
+import { type Pen, pathOf } from './pen'
 import { type Tone, TONES } from './tones'
 import { toScreen } from '../view'
 
 /** A mark's square is so many pixels wide, of 16 that it is drawn on. */
 const SIDE = 14
-
-const shapes = Object.entries(TONES).map(([tone, { colour, outline, sign }]) => ({
-  tone,
-  colour,
-  outline: new Path2D(outline),
-  sign: new Path2D(sign),
-}))
 
 /** Where something happened or was decided: what calls for attention lies on top, and what is not known yet is plain. */
 export function drawEvents(pen: Pen, places: readonly Point[], known: readonly Tone[]): void {
@@ -19,7 +12,8 @@ export function drawEvents(pen: Pen, places: readonly Point[], known: readonly T
   const tones = places.map((_, index) => known[index] ?? 'plain')
   context.setLineDash([])
   context.lineJoin = context.lineCap = 'round'
-  for (const { tone, colour, outline, sign } of shapes) {
+  for (const [tone, { colour, outline: around, sign: within }] of Object.entries(TONES)) {
+    const [outline, sign] = [pathOf(pen, around), pathOf(pen, within)]
     places.forEach((place, index) => {
       if (tones[index] !== tone) return
       const [x, y] = toScreen(view, size, place)

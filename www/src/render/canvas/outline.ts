@@ -1,25 +1,29 @@
+import { type Context, type Path, pathOf } from './pen'
+
 /** Blocked cells as shapes, in cells from the top left corner. */
 export interface Outline {
   /** All blocked cells, in as few rectangles as a sweep finds. */
-  filled: Path2D
+  filled: Path
   /** Where blocked meets free, in as few lines as possible. */
-  edge: Path2D
+  edge: Path
   /** How many pieces these are made of. */
   pieces: number
 }
 
 const known = new WeakMap<readonly string[], Outline>()
 
-/** The shapes of these rows; rows are never changed in place. */
-export function outlineOf(rows: readonly string[]): Outline {
-  const found = known.get(rows) ?? trace(rows)
+/** The shapes of these rows, to be drawn here; rows are never changed in place. */
+export function outlineOf(rows: readonly string[], on: { context: Context }): Outline {
+  // A file has paths of its own.
+  if (on.context.path) return trace(rows, () => pathOf(on))
+  const found = known.get(rows) ?? trace(rows, () => pathOf(on))
   known.set(rows, found)
   return found
 }
 
-function trace(rows: readonly string[]): Outline {
-  const filled = new Path2D()
-  const edge = new Path2D()
+function trace(rows: readonly string[], begin: () => Path): Outline {
+  const filled = begin()
+  const edge = begin()
   let pieces = 0
   const columns = rows[0]?.length ?? 0
   const cells = padded(rows, columns)

@@ -1,6 +1,6 @@
 import type { Disc } from 'forage-lab'
 import { PLAIN, type Style } from '../looks'
-import type { Lines, Pen } from './pen'
+import { type Lines, type Pen, pathOf } from './pen'
 import { toScreen } from '../view'
 
 /** How near a rim is not yet inside, in pixels: what touches isn't wrong. */
@@ -12,7 +12,7 @@ export const WRONG: Style = { ...PLAIN, color: '--danger', width: 4, opacity: [1
 export function insideDiscs(pen: Pen, lines: Lines, discs: readonly Disc[]): void {
   if (discs.length === 0) return
   const { context, view, size } = pen
-  const inside = new Path2D()
+  const inside = pathOf(pen)
   for (const { center, radius } of discs) {
     const [x, y] = toScreen(view, size, center)
     inside.moveTo(x + radius * view.scale, y)

@@ -3,18 +3,59 @@ import type { Palette } from '../palette'
 import { squares } from './dots'
 import type { Style } from '../looks'
 
-/** Of a canvas of the page, or of one that a thread draws. */
-export type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D
+/** Lines and areas to be drawn. */
+export type Path = Pick<Path2D, 'moveTo' | 'lineTo' | 'closePath' | 'arc' | 'rect' | 'roundRect'>
+
+/** What is drawn on: a canvas of the page, one that a thread draws, or a file. */
+export interface Context
+  extends Path,
+    Pick<
+      OffscreenCanvasRenderingContext2D,
+      | 'fillStyle'
+      | 'strokeStyle'
+      | 'globalAlpha'
+      | 'lineWidth'
+      | 'lineCap'
+      | 'lineJoin'
+      | 'font'
+      | 'textAlign'
+      | 'textBaseline'
+      | 'imageSmoothingEnabled'
+      | 'imageSmoothingQuality'
+      | 'save'
+      | 'restore'
+      | 'translate'
+      | 'scale'
+      | 'rotate'
+      | 'setLineDash'
+      | 'beginPath'
+      | 'fillRect'
+      | 'strokeRect'
+      | 'fillText'
+      | 'strokeText'
+    > {
+  setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void
+  drawImage(image: CanvasImageSource, x: number, y: number, width?: number, height?: number): void
+  createPattern(image: CanvasImageSource, repetition: 'repeat'): CanvasPattern | null
+  stroke(path?: Path): void
+  fill(path?: Path): void
+  clip(path?: Path): void
+  /** Only of a file: its paths are written down. */
+  path?(d?: string): Path
+}
 
 /** What drawing needs to know. */
-export interface Pen {
-  context: Context
+export interface Pen<C extends Context = Context> {
+  context: C
   view: View
   size: Size
   /** Pixels of the canvas a pixel of the page. */
   density: number
   palette: Palette
 }
+
+/** On a canvas of the page. */
+export type PagePen = Pen<CanvasRenderingContext2D>
 
 /** Weights are drawn in steps: one stroke a step instead of one a line. */
 const STEPS = 6
@@ -31,6 +72,9 @@ const stepOf = (weight: number): number => Math.min(STEPS - 1, Math.max(0, Math.
 function alphaAt({ opacity: [best, worst] }: Style, step: number): number {
   return best + ((worst - best) * step) / (STEPS - 1)
 }
+
+/** A path that can be drawn on what the pen draws on. */
+export const pathOf = ({ context }: { context: Context }, d?: string): Path => context.path?.(d) ?? new Path2D(d)
 
 export function applyStyle({ context, palette }: Pen, style: Style): void {
   const colour = palette.get(style.color)
@@ -102,7 +146,7 @@ export function marked({ context }: Pen, style: Style, x: number, y: number): vo
 
 /** Lines of one role, collected by weight and stroked together. */
 export class Lines {
-  private readonly paths = Array.from({ length: STEPS }, () => new Path2D())
+  private readonly paths: readonly Path[]
   private readonly used = new Uint8Array(STEPS)
   /** Where the plane lies on the screen. */
   private readonly place: { left: number; top: number; right: number; up: number }
@@ -113,6 +157,7 @@ export class Lines {
     private readonly swelling = false,
   ) {
     const { view, size } = pen
+    this.paths = Array.from({ length: STEPS }, () => pathOf(pen))
     const up = rise(view) * view.scale
     this.place = { left: size.width / 2 - view.x * view.scale, top: size.height / 2 + view.y * up, right: view.scale, up }
   }
@@ -148,13 +193,13 @@ export class Lines {
     }
   }
 
-  private pathFor(weight: number): Path2D {
+  private pathFor(weight: number): Path {
     const step = stepOf(weight)
     this.used[step] = 1
-    return this.paths[step] ?? new Path2D()
+    return this.paths[step] as Path
   }
 
-  private vertex(path: Path2D, vertices: Float32Array, at: number, begins: boolean): void {
+  private vertex(path: Path, vertices: Float32Array, at: number, begins: boolean): void {
     const { left, top, right, up } = this.place
     const x = left + (vertices[at * 4] ?? 0) * right
     const y = top - (vertices[at * 4 + 1] ?? 0) * up

@@ -1,52 +1,21 @@
-import type { Scene } from 'forage-lab'
-import { type Anchors, anchorsOf, movedTo, orderOf, pointsOf } from '../anchors'
+import { anchorsOf } from '../anchors'
 import type { Display, Ground, Renderer, RendererListeners } from '../display'
-import type { Frame, Layers } from '../frame'
+import type { Frame } from '../frame'
 import type { Names } from '../looks'
-import { colorOf, Palette } from '../palette'
-import { movingOf } from '../../scene/moving'
-import { stopsOf } from '../../scene/stops'
-import { toScreen } from '../view'
-import type { Cells } from './cells'
-import { drawDiscs, drawEnds, drawGrid } from './ground'
-import { drawLayers, drawPath, isNear } from './layers'
+import { Palette } from '../palette'
+import { Painter, partsLoaded, type Present } from './painter'
 import type { Context, Pen } from './pen'
-import { drawRaster } from './raster'
 
-/** How much of the picture is left while it is not that of the scene, while something is looked at closer, and while the result is followed. */
-const STALE = 0.22
-const CLOSER = 0.45
-const FOLLOWED = 0.55
-/** How much of a field is left beneath what is only drawn from near. */
-const BENEATH = 0.65
-
-/** A frame, and what is known of it. */
-interface Present {
-  frame: Frame
-  names: Names
-  anchors: Anchors
-  /** As an arm's scene is seen from a side. */
-  flat?: { side: string; layers: Layers }
-}
-
-/** What not every scene needs: each part is loaded with the first one that does. */
-const PARTS = {
-  grids: () => import('./grids'),
-  tours: () => import('./tours'),
-  inspection: () => import('./inspection'),
-  projection: () => import('../space/projection'),
-}
-type Parts = { [P in keyof typeof PARTS]?: Awaited<ReturnType<(typeof PARTS)[P]>> }
-const loading = new Map<keyof Parts, Promise<unknown>>()
-const parts: Parts = {}
+/** Pictures in a file of lines and areas have so many pixels a pixel of the page. */
+const SHARP = 2
 
 /** Draws scenes and frames on a canvas of two dimensions: of the page, or of a thread. */
 export class CanvasRenderer implements Renderer {
   private readonly context: Context | null
+  private readonly painter = new Painter(() => this.soon())
   private display: Display | null = null
   private present: Present | null = null
   private heat: Ground | null = null
-  private cells: Cells | null = null
   private backdrop: { sheet: OffscreenCanvas; key: readonly unknown[] } | null = null
   private request = 0
   private drawn = false
@@ -75,6 +44,28 @@ export class CanvasRenderer implements Renderer {
     this.soon()
   }
 
+  async svg(caption: string): Promise<string> {
+    const { VectorContext } = await import('../vector/context')
+    await this.complete()
+    if (!this.display) throw new Error('nothing is shown yet')
+    const { width, height } = this.display.size
+    const file = new VectorContext(width, height, SHARP)
+    this.paint(file, this.display, SHARP)
+    return file.svg(caption)
+  }
+
+  async picture(density: number): Promise<Blob> {
+    await this.complete()
+    if (!this.display) throw new Error('nothing is shown yet')
+    const { width, height } = this.display.size
+    const sheet = new OffscreenCanvas(Math.max(1, Math.round(width * density)), Math.max(1, Math.round(height * density)))
+    const context = sheet.getContext('2d')
+    if (!context) throw new Error('this browser gives no canvas')
+    // Grids are drawn on canvases of their own: those of another size are another painter's.
+    this.paint(context, this.display, density, new Painter(() => undefined))
+    return sheet.convertToBlob()
+  }
+
   dispose(): void {
     if (this.request !== 0) cancelAnimationFrame(this.request)
     this.heat?.bitmap.close()
@@ -89,7 +80,7 @@ export class CanvasRenderer implements Renderer {
     this.listeners.onreleased(present.frame.buffer)
   }
 
-  private readonly soon = (): void => {
+  private soon(): void {
     if (this.request !== 0) return
     this.request = requestAnimationFrame(() => {
       this.request = 0
@@ -97,15 +88,19 @@ export class CanvasRenderer implements Renderer {
     })
   }
 
-  /** A part, if it is there; otherwise the picture is drawn once more as soon as it is. */
-  private part<P extends keyof Parts>(name: P): Parts[P] {
-    if (!parts[name]) {
-      const loaded = loading.get(name) ?? PARTS[name]().then((part) => Object.assign(parts, { [name]: part }))
-      loading.set(name, loaded)
-      // What cannot be loaded is asked for again with the next picture.
-      loaded.then(this.soon, () => loading.delete(name))
-    }
-    return parts[name]
+  /** All that the picture needs is there. */
+  private async complete(): Promise<void> {
+    // What is asked for while drawing is known once something was drawn.
+    this.draw()
+    await partsLoaded()
+  }
+
+  /** All of the picture, on something else. */
+  private paint(context: Context, display: Display, density: number, painter = this.painter): void {
+    const pen: Pen = { ...display, context, density, palette: new Palette(display.theme) }
+    context.setTransform(density, 0, 0, density, 0, 0)
+    painter.beneath(pen, display, this.heat)
+    painter.above(pen, display, this.present)
   }
 
   private draw(): void {
@@ -116,8 +111,7 @@ export class CanvasRenderer implements Renderer {
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height })
     const pen: Pen = { context, view, size, density, palette: new Palette(display.theme) }
     this.drawBackdrop(pen, display)
-    if (display.scene.kind === 'arm') this.drawSpace(pen, display)
-    else this.drawPlane(pen, display)
+    this.painter.above(pen, display, this.present)
     if (!this.present || this.drawn) return
     this.drawn = true
     this.listeners.ondrawn()
@@ -136,124 +130,10 @@ export class CanvasRenderer implements Renderer {
       if (!own) return
       this.backdrop = { sheet, key }
       own.setTransform(density, 0, 0, density, 0, 0)
-      const beneath: Pen = { ...pen, context: own }
-      veil(beneath, 0)
-      if (this.heat) drawGround(beneath, this.heat)
-      if (!isCovered(scene)) this.drawObstacles(beneath, display)
+      this.painter.beneath({ ...pen, context: own }, display, this.heat)
     }
     context.setTransform(1, 0, 0, 1, 0, 0)
     context.drawImage(this.backdrop.sheet, 0, 0)
     context.setTransform(density, 0, 0, density, 0, 0)
   }
-
-  private drawPlane(pen: Pen, display: Display): void {
-    const { scene, hidden, fits, faded, details, cell } = display
-    const present = fits ? this.present : null
-    const on = (role: string): boolean => !hidden.includes(role)
-    const grids = scene.kind === 'grid' ? this.part('grids') : undefined
-    const tours = stopsOf(scene).length > 0 ? this.part('tours') : undefined
-    if (present) drawFields(pen, present, on)
-    if (isCovered(scene)) this.drawObstacles(pen, display)
-    if (present) {
-      drawLayers(pen, present.frame, inOwn(present, display), on, scene, { ...grids, ...tours })
-      for (const { points, look } of display.overlays) drawPath(pen, points, look)
-      if (details) {
-        veil(pen, CLOSER)
-        this.part('inspection')?.drawInspection(pen, details)
-      }
-      if (display.followed) veil(pen, FOLLOWED)
-      // Not the picture of this scene: it must not look like one.
-      if (faded) {
-        veil(pen, STALE)
-        this.drawObstacles(pen, display)
-      }
-    }
-    if (scene.kind === 'grid' && cell) grids?.drawCell(pen, scene, cell)
-    const fresh = faded ? null : present
-    const order = fresh && on(roleOf(fresh, 'number')) ? orderOf(fresh.anchors, stopsOf(scene).length) : null
-    tours?.drawStops(pen, scene, { ...display, places: order })
-    this.drawMoving(pen, display, fresh)
-    if (scene.kind !== 'function' && scene.kind !== 'arm') drawEnds(pen, scene, display)
-    // On top of all, start and goal included.
-    if (fresh) grids?.drawRobots(pen, fresh.frame, fresh.names, on)
-  }
-
-  private drawObstacles(pen: Pen, { scene, hidden, blamed }: Display): void {
-    const grids = scene.kind === 'grid' ? this.part('grids') : undefined
-    if (scene.kind === 'grid' && grids) {
-      this.cells ??= new grids.Cells(this.soon)
-      this.cells.draw(pen, scene, !hidden.includes('margin'))
-    }
-    drawGrid(pen, scene, scene.kind !== 'grid' && scene.kind !== 'function')
-    if (scene.kind === 'discs') drawDiscs(pen, scene, blamed)
-  }
-
-  /** Where obstacles begin and how they set out, and where something happened. */
-  private drawMoving(pen: Pen, display: Display, present: Present | null): void {
-    const { scene, hidden, tones, playing } = display
-    const grids = scene.kind === 'grid' ? this.part('grids') : undefined
-    if (scene.kind !== 'grid' || !grids) return
-    const now = present && movedTo(present.anchors, movingOf(scene).length)
-    const role = (this.present && roleOf(this.present, 'disc')) || 'moving'
-    if (!hidden.includes(role)) grids.drawMovers(pen, scene, { ...display, now, quiet: playing && now !== null })
-    if (present && tones) grids.drawEvents(pen, pointsOf(present.anchors.event), tones)
-  }
-
-  private drawSpace(pen: Pen, display: Display): void {
-    const { scene, space, hidden, overlays, fits } = display
-    const projection = this.part('projection')
-    if (scene.kind !== 'arm' || !space || !projection) return
-    const { side, skeleton } = space
-    const present = fits ? this.present : null
-    const flat = projection.flattened(scene, skeleton, side)
-    projection.drawRoom(pen, scene, skeleton, side)
-    if (present) {
-      if (present.flat?.side !== side) present.flat = { side, layers: projection.projected(present.frame, side) }
-      drawLayers(pen, present.flat.layers, inOwn(present, display), (role) => !hidden.includes(role), flat, {})
-      const to = projection.seen(side)
-      for (const { points, look } of overlays)
-        drawPath(
-          pen,
-          points.map(([x, y, z = 0]) => to([x, y, z])),
-          look,
-        )
-    }
-    drawEnds(pen, flat, display)
-  }
-}
-
-/** Fields lie between the ground and the obstacles of a grid; arms are drawn otherwise. */
-const isCovered = ({ kind }: Scene): boolean => kind === 'grid' || kind === 'arm'
-
-/** The key of the frame's layer with this form. */
-const roleOf = ({ names }: Present, form: 'disc' | 'number'): string => names.layers.find(({ look }) => look.glyph === form)?.role ?? ''
-
-/** Of several results each has a colour of its own. */
-function inOwn({ names }: Present, { theme: { best } }: Display): Names {
-  if (best === undefined) return names
-  return {
-    ...names,
-    layers: names.layers.map((layer) => (layer.look.result ? { ...layer, look: { ...layer.look, color: colorOf(best) } } : layer)),
-  }
-}
-
-function drawFields(pen: Pen, { frame, names }: Present, on: (role: string) => boolean): void {
-  const alpha = isNear(frame, names, on) ? BENEATH : 1
-  for (const field of frame.fields) if (on(field.role)) drawRaster(pen, field, alpha)
-}
-
-function drawGround({ context, view, size }: Pen, { bitmap, box }: Ground): void {
-  const [left, bottom] = toScreen(view, size, box.min)
-  const [right, top] = toScreen(view, size, box.max)
-  context.imageSmoothingQuality = 'high'
-  context.drawImage(bitmap, left, top, right - left, bottom - top)
-}
-
-/** So much of what is drawn is left. */
-function veil({ context, palette, size }: Pen, left: number): void {
-  context.save()
-  context.globalAlpha = 1 - left
-  context.fillStyle = palette.get('--stage')
-  context.fillRect(0, 0, size.width, size.height)
-  context.restore()
 }

@@ -1,5 +1,5 @@
 import type { Color } from 'forage-lab'
-import type { Context, Pen } from './pen'
+import type { Context, Path, Pen } from './pen'
 import { rise } from '../view'
 
 /** A piece of a layer: its shape, and which of the frame's vertices are its own. */
@@ -10,7 +10,7 @@ export interface Piece {
 }
 
 /** x and y on the screen, and half the width there. */
-type Bead = [x: number, y: number, half: number]
+export type Bead = [x: number, y: number, half: number]
 
 /** A frame's vertices on the screen; a tube's weight is half its width. */
 export function beads({ view, size }: Pen, vertices: Float32Array, { first, count }: Piece): Bead[] {
@@ -26,7 +26,7 @@ export function beads({ view, size }: Pen, vertices: Float32Array, { first, coun
 
 /** Adds a tube to a path: discs at its vertices, and between them what a disc sweeps that grows or shrinks on its way. All wind
  * the same way round, so that what overlaps is filled once. */
-export function tube(path: Path2D, line: readonly Bead[], more = 0): void {
+export function tube(path: Path, line: readonly Bead[], more = 0): void {
   line.forEach(([x, y, half], at) => {
     const r = half + more
     path.moveTo(x + r, y)
@@ -37,7 +37,7 @@ export function tube(path: Path2D, line: readonly Bead[], more = 0): void {
 }
 
 /** Between the points where the lines that touch both discs do so. */
-function sweep(path: Path2D, [x0, y0, r0]: Bead, [x1, y1, r1]: Bead): void {
+function sweep(path: Path, [x0, y0, r0]: Bead, [x1, y1, r1]: Bead): void {
   const length = Math.hypot(x1 - x0, y1 - y0)
   // One disc lies in the other.
   if (length <= Math.abs(r0 - r1) || length === 0) return
@@ -60,9 +60,10 @@ const PITCH = 7
 /** Thin slanting lines of a colour. They lie still on the plane while the view moves. */
 export function hatch({ context, view, size, density, palette }: Pen, token: string | Color): CanvasPattern | null {
   const key = [palette.get(token), density].join()
-  const pattern = hatches.get(key) ?? tiled(context, palette.get(token), density)
+  // A file has patterns of its own.
+  const pattern = (context.path ? undefined : hatches.get(key)) ?? tiled(context, palette.get(token), density)
   if (!pattern) return null
-  hatches.set(key, pattern)
+  if (!context.path) hatches.set(key, pattern)
   const side = Math.round(PITCH * density) / density
   const origin = (middle: number, at: number): number => (middle + at * view.scale) % side
   pattern.setTransform(

@@ -2,7 +2,7 @@ import { Vector3 } from 'three'
 import type { Cuboid, Point3 } from 'forage-lab'
 import { space } from '../../locales/en/space'
 import { FONT, plate } from '../canvas/ground'
-import type { Pen } from '../canvas/pen'
+import type { PagePen } from '../canvas/pen'
 import { tick } from '../view'
 import { ticks } from './room'
 import type { World } from './world'
@@ -20,7 +20,7 @@ interface Edge {
 }
 
 /** The numbers along three edges of the workspace, in metres: on the floor the ones nearest to the eye, and an upright one at the side. */
-export function drawAxes(pen: Pen, world: World, box: Cuboid): void {
+export function drawAxes(pen: PagePen, world: World, box: Cuboid): void {
   const { context, palette } = pen
   context.font = FONT
   context.textBaseline = 'middle'
@@ -72,7 +72,7 @@ export function drawAxes(pen: Pen, world: World, box: Cuboid): void {
 }
 
 /** Where a text is seen whole. */
-function inside({ context, size }: Pen, text: string, x: number, y: number): [number, number] {
+function inside({ context, size }: PagePen, text: string, x: number, y: number): [number, number] {
   const width = context.measureText(text).width + 6
   const before = { left: 0, center: width / 2, right: width }[context.textAlign as 'left' | 'center' | 'right']
   return [Math.min(Math.max(x, before), size.width - width + before), Math.min(Math.max(y, 10), size.height - 10)]

@@ -4,7 +4,7 @@ import type { Selection } from '../../scene/edits'
 import { space } from '../../locales/en/space'
 import { HANDLE, plate } from '../canvas/ground'
 import { arrow, MANY, SMALL } from '../canvas/inspection'
-import { applyStyle, isMarked, marked, type Pen } from '../canvas/pen'
+import { applyStyle, isMarked, marked, type PagePen } from '../canvas/pen'
 import { closer } from '../looks'
 import { faceOf, facing, type Grip, isHidden, liftAt } from './handles'
 import type { World } from './world'
@@ -24,7 +24,7 @@ export interface Marked {
 }
 
 /** Start and goal as in the plane, each on a stem that stands on the floor. */
-export function drawEnds(pen: Pen, world: World, { scene, selection, hover, blamed }: Marked): void {
+export function drawEnds(pen: PagePen, world: World, { scene, selection, hover, blamed }: Marked): void {
   const { context, palette, size } = pen
   for (const kind of ['start', 'goal'] as const) {
     const at = scene[kind]
@@ -60,7 +60,7 @@ export function drawEnds(pen: Pen, world: World, { scene, selection, hover, blam
 }
 
 /** Says how high a point is. */
-function stem({ context, palette }: Pen, world: World, at: Readonly<Point3>, floor: number): void {
+function stem({ context, palette }: PagePen, world: World, at: Readonly<Point3>, floor: number): void {
   const [top, foot] = [world.project(at), world.project([at[0], at[1], floor])]
   if (!top || !foot) return
   context.setLineDash([2, 3])
@@ -77,7 +77,7 @@ function stem({ context, palette }: Pen, world: World, at: Readonly<Point3>, flo
   context.fill()
 }
 
-function circle({ context }: Pen, x: number, y: number, radius: number, colour: string): void {
+function circle({ context }: PagePen, x: number, y: number, radius: number, colour: string): void {
   context.beginPath()
   context.arc(x, y, radius, 0, 2 * Math.PI)
   context.lineWidth = 2
@@ -86,7 +86,7 @@ function circle({ context }: Pen, x: number, y: number, radius: number, colour: 
 }
 
 /** What the selected object can be taken hold of by: a cuboid's faces, and an arrow upwards. */
-export function drawHandles(pen: Pen, world: World, { scene, selection, hover, held }: Marked): void {
+export function drawHandles(pen: PagePen, world: World, { scene, selection, hover, held }: Marked): void {
   const { context, palette } = pen
   if (!selection) return
   const cuboid = selection.kind === 'cuboid' ? scene.cuboids[selection.index] : undefined
@@ -116,7 +116,7 @@ export function drawHandles(pen: Pen, world: World, { scene, selection, hover, h
 }
 
 /** Where it is while it is held. */
-function told({ context, palette }: Pen, world: World, at: Readonly<Point3>, top: Readonly<Point3>): void {
+function told({ context, palette }: PagePen, world: World, at: Readonly<Point3>, top: Readonly<Point3>): void {
   const seen = world.project([at[0], at[1], top[2]])
   if (!seen) return
   context.font = BOLD
@@ -126,7 +126,7 @@ function told({ context, palette }: Pen, world: World, at: Readonly<Point3>, top
   plate(context, palette.get('--stage'), at.map((value) => value.toFixed(3).replace('-', '−')).join('  '), seen.x + 16, seen.y - 22)
 }
 
-function lift({ context, palette }: Pen, [x, y]: readonly [number, number], meant: boolean): void {
+function lift({ context, palette }: PagePen, [x, y]: readonly [number, number], meant: boolean): void {
   context.strokeStyle = palette.get('--stage')
   context.fillStyle = palette.get('--focus')
   context.lineJoin = 'round'
@@ -148,7 +148,7 @@ function lift({ context, palette }: Pen, [x, y]: readonly [number, number], mean
 }
 
 /** What was looked at closer: its points, and arrows. */
-export function drawInspection(pen: Pen, world: World, scene: ArmScene, { layers }: Inspection, lookOf: (key: string) => Look): void {
+export function drawInspection(pen: PagePen, world: World, scene: ArmScene, { layers }: Inspection, lookOf: (key: string) => Look): void {
   const { context } = pen
   for (const { role, shape, vertices } of [...layers].sort((a, b) => lookOf(a.role).order - lookOf(b.role).order)) {
     const style = closer(lookOf(role))
@@ -187,7 +187,7 @@ export function drawInspection(pen: Pen, world: World, scene: ArmScene, { layers
 }
 
 /** A ring about a node. */
-export function drawNode(pen: Pen, world: World, at: Readonly<Point3> | null, chosen: boolean): void {
+export function drawNode(pen: PagePen, world: World, at: Readonly<Point3> | null, chosen: boolean): void {
   const seen = at && world.project(at)
   if (!seen) return
   pen.context.setLineDash([])

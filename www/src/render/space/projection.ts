@@ -1,6 +1,6 @@
 import type { ArmScene, Cuboid, DiscsScene, Point, Point3 } from 'forage-lab'
 import type { Layers } from '../frame'
-import type { Pen } from '../canvas/pen'
+import { type Path, type Pen, pathOf } from '../canvas/pen'
 import { toScreen } from '../view'
 
 /* A race of arms is seen in parallel projection from one of four sides, all lanes from the same. */
@@ -110,13 +110,13 @@ export function drawRoom(pen: Pen, scene: ArmScene, skeleton: readonly Point3[],
   }
 }
 
-function faces({ view, size }: Pen, box: Cuboid, side: Side, shown: (towards: number, axis: number, high: boolean) => boolean): Path2D {
+function faces(pen: Pen, box: Cuboid, side: Side, shown: (towards: number, axis: number, high: boolean) => boolean): Path {
   const [to, back, all] = [seen(side), axesOf(side)[2], corners(box)]
-  const path = new Path2D()
+  const path = pathOf(pen)
   for (const { axis, high, ring } of FACES) {
     if (!shown((high ? 1 : -1) * (back[axis] ?? 0), axis, high === 1)) continue
     ring.forEach((corner, at) => {
-      const [x, y] = toScreen(view, size, to(all[corner] ?? box.min))
+      const [x, y] = toScreen(pen.view, pen.size, to(all[corner] ?? box.min))
       if (at === 0) path.moveTo(x, y)
       else path.lineTo(x, y)
     })

@@ -1,0 +1,58 @@
+import { readFile } from 'node:fs/promises'
+import type { UncheckedSetup } from 'forage-lab'
+import sharp from 'sharp'
+import { linkTo } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+/** Of each kind of picture one: areas, a height map, cells with a field, tubes with a hatch, numbers and arrows, a crowd of points. */
+const RUNS: readonly [setup: UncheckedSetup, iteration: number][] = [
+  [{ planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }, 5],
+  [{ planner: 'ltqpso', scene: 'egg-crate', seed: 1 }, 4],
+  [{ planner: 'aco', scene: 'rooms-20', seed: 1 }, 20],
+  [{ planner: 'a-star-drive', scene: 'patrol', seed: 1 }, 40],
+  [{ planner: 'hybrid-bat', scene: 'random-52', seed: 1 }, 10],
+  [{ planner: 'pso', scene: 'sphere-2', seed: 1, params: { population: 4000 } }, 2],
+]
+/** Channels that differ by more than this differ: edges are smoothed by two programs. */
+const NOTICED = 40
+
+async function drawing(lab: Lab): Promise<string> {
+  await lab.press(en.bar.exports)
+  const started = lab.page.waitForEvent('download')
+  await lab.page.getByTestId('export-svg').click()
+  const path = await (await started).path()
+  await lab.page.keyboard.press('Escape')
+  return readFile(path, 'utf8')
+}
+
+for (const [setup, iteration] of RUNS) {
+  test(`the drawing of ${setup.planner} is what the stage shows`, async ({ lab, page, context }) => {
+    await lab.open(linkTo(setup, iteration))
+    await lab.settled(iteration)
+    await lab.picture()
+    const { width, height } = (await lab.stage.boundingBox()) ?? { width: 0, height: 0 }
+    const canvas = Buffer.from(
+      await lab.stage
+        .evaluate((stage: HTMLCanvasElement) => new Promise<string>((resolve) => requestAnimationFrame(() => resolve(stage.toDataURL()))))
+        .then((address) => address.slice(address.indexOf(',') + 1)),
+      'base64',
+    )
+    const svg = await drawing(lab)
+    expect(svg).toContain(`<title>`)
+
+    const viewer = await context.newPage()
+    await viewer.setViewportSize({ width: Math.ceil(width), height: Math.ceil(height) })
+    await viewer.setContent(`<body style="margin:0">${svg}`)
+    const seen = await viewer.screenshot({ clip: { x: 0, y: 0, width: Math.floor(width), height: Math.floor(height) } })
+    await viewer.close()
+
+    const region = { left: 0, top: 0, width: Math.floor(width), height: Math.floor(height) }
+    const [one, other] = await Promise.all([canvas, seen].map((image) => sharp(image).extract(region).removeAlpha().raw().toBuffer()))
+    let different = 0
+    for (let at = 0; at < (one?.length ?? 0); at += 3) {
+      if ([0, 1, 2].some((channel) => Math.abs((one?.[at + channel] ?? 0) - (other?.[at + channel] ?? 0)) > NOTICED)) different += 1
+    }
+    expect(different / (region.width * region.height)).toBeLessThan(0.005)
+    await page.bringToFront()
+  })
+}
