@@ -1,4 +1,5 @@
 import { readFile } from 'node:fs/promises'
+import type { Page } from '@playwright/test'
 import type { ArmScene, Point3 } from '../../pkg/node.js'
 import { arm as words } from '../src/locales/en/arm'
 import { space as text } from '../src/locales/en/space'
@@ -186,6 +187,7 @@ test('the postures of the goal are ghosts, and where the tip can come is a cloud
 })
 
 test('a still picture is drawn once', async ({ lab, page }) => {
+  await drawnByThePage(page)
   await page.addInitScript(() => {
     Object.assign(window, { drawn: 0 })
     const { prototype } = WebGL2RenderingContext
@@ -363,7 +365,7 @@ test('another kind of scene has its own stage, and space comes back as it was', 
   await begin(lab)
   const before = await shot(lab)
   await page.getByTestId('planner').selectOption('pso')
-  await expect(page.getByTestId('stage-marks')).toHaveCount(0)
+  await expect(page.getByTestId('space-words')).toHaveCount(0)
   await lab.restarted()
   expect((await lab.picture()).colours).toBeGreaterThan(100)
   await lab.open(linkTo(GUIDED, AT))
@@ -408,30 +410,41 @@ test.describe('on a phone', () => {
   })
 })
 
+interface OnPage {
+  space?: WebGL2RenderingContext
+  lost?: WEBGL_lose_context
+}
+
+/** No thread draws; `able`: space is drawn at all. */
+const drawnByThePage = (page: Page, able = true): Promise<unknown> =>
+  page.addInitScript((draws) => {
+    Reflect.deleteProperty(HTMLCanvasElement.prototype, 'transferControlToOffscreen')
+    const { prototype } = HTMLCanvasElement
+    const { getContext } = prototype
+    Object.assign(prototype, {
+      getContext(this: HTMLCanvasElement, kind: string, ...options: unknown[]) {
+        if (!kind.startsWith('webgl')) return Reflect.apply(getContext, this, [kind, ...options])
+        if (!draws) return null
+        const space = Reflect.apply(getContext, this, [kind, ...options])
+        Object.assign(window, { space, lost: space?.getExtension('WEBGL_lose_context') })
+        return space
+      },
+    })
+  }, able)
+
 test('when the graphics card drops the picture, the stage says so, and it comes back', async ({ lab, page }) => {
+  await drawnByThePage(page)
   await begin(lab)
   const before = await shot(lab)
-  await lab.stage.evaluate((stage: HTMLCanvasElement) => {
-    const loss = stage.getContext('webgl2')?.getExtension('WEBGL_lose_context')
-    Object.assign(window, { loss })
-    loss?.loseContext()
-  })
+  await page.evaluate(() => (window as unknown as OnPage).space?.getExtension('WEBGL_lose_context')?.loseContext())
   await expect(page.getByText(text.lost)).toBeVisible()
-  await page.evaluate(() => (window as unknown as { loss: WEBGL_lose_context }).loss.restoreContext())
+  await page.evaluate(() => (window as unknown as OnPage).lost?.restoreContext())
   await expect(page.getByText(text.lost)).toBeHidden()
   expect(await shot(lab)).toEqual(before)
 })
 
 test('without WebGL the stage says so, and the rest goes on', async ({ lab, page }) => {
-  await page.addInitScript(() => {
-    const { prototype } = HTMLCanvasElement
-    const { getContext } = prototype
-    Object.assign(prototype, {
-      getContext(this: HTMLCanvasElement, kind: string, ...options: unknown[]) {
-        return kind.startsWith('webgl') ? null : Reflect.apply(getContext, this, [kind, ...options])
-      },
-    })
-  })
+  await drawnByThePage(page, false)
   await lab.open(linkTo(GUIDED, 20))
   await lab.settled(20)
   await expect(page.getByTestId('no-space')).toContainText(text.failed)

@@ -56,3 +56,13 @@ for (const [setup, iteration] of RUNS) {
     await page.bringToFront()
   })
 }
+
+test('the drawing of an arm is a parallel projection from where it is seen', async ({ lab, page }) => {
+  await lab.open(linkTo({ planner: 'rrt-guided', scene: 'arm-cuboid', seed: 1 }, 300))
+  await expect(lab.stage).toHaveAttribute('data-drawn')
+  const corner = await drawing(lab)
+  expect(corner.match(/<path/g)?.length).toBeGreaterThan(50)
+  await page.getByTestId('view-top').click()
+  await lab.picture()
+  expect(await drawing(lab)).not.toBe(corner)
+})

@@ -1,11 +1,13 @@
 /* What a renderer is given: what is to be seen, as one state, and the frames of a run. */
-import type { EventKind, Inspection, Look, Point3, Scene } from 'forage-lab'
+import type { ArmSolutions, EventKind, Inspection, Item, Look, Point, Point3, Reachability, Scene } from 'forage-lab'
 import type { Cell } from '../scene/cells'
 import type { Handle, Selection } from '../scene/edits'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 import type { Theme } from './palette'
-import type { Side } from './space/projection'
+import type { Grip } from './space/handles'
+import type { Orbit } from './space/orbit'
+import type { Angles } from './space/projection'
 import type { Box, Flat, Size, View } from './view'
 
 /** A line over the layers of the frame. */
@@ -19,8 +21,30 @@ export interface Detail extends Pick<Inspection['layers'][number], 'shape' | 've
   look: Look
 }
 
-/** A picture of all that is seen but the frame's layers. */
-export interface Display {
+/** What is seen in space, and from where. */
+export interface InSpace {
+  orbit: Orbit
+  /** The arm's joints, in degrees; null: at home. */
+  posture: readonly number[] | null
+  /** The arm touches something. */
+  touching: boolean
+  /** The radius that its links have at least, in metres. */
+  thickness: number
+  /** Postures beside its own, and which of them is meant. */
+  ghosts: ArmSolutions | null
+  ghost: number | null
+  /** Where the tip can come. */
+  reach: Reachability | null
+  /** Points with a ring: one that is pointed at, and one that is chosen. */
+  pointed: Item | null
+  chosen: Item | null
+  /** What is under the pointer, and whether it is held. */
+  grip: Grip | null
+  held: boolean
+}
+
+/** A picture of all that is seen but the frame's layers; with an orbit, in space. */
+export interface Display extends Partial<InSpace> {
   scene: Scene
   view: View
   size: Size
@@ -53,7 +77,7 @@ export interface Display {
   /** Labels. */
   words: { start: string; goal: string }
   /** An arm's scene is seen from this side, with the arm at home. */
-  space: { side: Side; skeleton: readonly Point3[] } | null
+  space: { angles: Angles; skeleton: readonly Point3[] } | null
 }
 
 /** The heat map of a function. */
@@ -72,12 +96,18 @@ export interface Renderer {
   svg(caption: string): Promise<string>
   /** What is seen, as PNG with so many pixels a pixel of the page. */
   picture(density: number): Promise<Blob>
+  /** The nearest of these layers' points that are shown in space and seen within this reach, in pixels; its index is that in the frame. */
+  nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null>
   dispose(): void
 }
+
+export type SpaceState = 'none' | 'lost' | 'there'
 
 export interface RendererListeners {
   /** A frame was drawn for the last time. */
   onreleased(buffer: ArrayBuffer): void
   /** The first frame was drawn. */
   ondrawn(): void
+  /** Whether pictures of space can be made: not at all, not at the moment, or again. */
+  onspace?(state: SpaceState): void
 }

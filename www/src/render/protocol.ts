@@ -1,5 +1,6 @@
 /* What the page and the thread that draws say to each other. Each message is about one canvas. */
-import type { Display, Ground } from './display'
+import type { Item, Point } from 'forage-lab'
+import type { Display, Ground, SpaceState } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 
@@ -10,14 +11,26 @@ export type ToRenderer = { canvas: number } & (
   /** The layers that it counts are those of the frame before unless they are given. */
   | { is: 'frame'; frame: Frame; names?: Names }
   | { is: 'ground'; ground: Ground | null }
-  /** Is answered by `made` or `failed`. */
-  | ({ is: 'make'; id: number } & Wanted)
+  /** Gets an `answer`, or is `refused`. */
+  | ({ is: 'ask'; id: number } & Asked)
+  /** Whether space can be drawn: gets `probed`. */
+  | { is: 'probe' }
   | { is: 'close' }
 )
 
-/** A picture as a file. */
-export type Wanted = { as: 'svg'; caption: string } | { as: 'picture'; density: number }
+/** A picture as a file, or a point of it. */
+export type Asked =
+  | { for: 'svg'; caption: string }
+  | { for: 'picture'; density: number }
+  | { for: 'nearest'; at: Point; reach: number; layers: readonly string[] }
 
-export type FromRenderer = { canvas: number } & ({ is: 'released'; buffer: ArrayBuffer } | { is: 'drawn' } | { is: 'closed' } | Made)
+export type FromRenderer = { canvas: number } & (
+  | { is: 'released'; buffer: ArrayBuffer }
+  | { is: 'drawn' }
+  | { is: 'closed' }
+  | { is: 'probed'; able: boolean }
+  | { is: 'space'; state: SpaceState }
+  | Answer
+)
 
-export type Made = { is: 'made'; id: number; file: string | Blob } | { is: 'failed'; id: number; message: string }
+export type Answer = { is: 'answer'; id: number; value: string | Blob | Item | null } | { is: 'refused'; id: number; message: string }

@@ -2,7 +2,7 @@
 import { CanvasRenderer } from './canvas/renderer'
 import type { Display } from './display'
 import type { Names } from './looks'
-import type { FromRenderer, ToRenderer, Wanted } from './protocol'
+import type { Answer, Asked, FromRenderer, ToRenderer } from './protocol'
 
 interface Drawn {
   renderer: CanvasRenderer
@@ -13,25 +13,39 @@ interface Drawn {
 const canvases = new Map<number, Drawn>()
 const send = (message: FromRenderer, transfer: Transferable[] = []): void => postMessage(message, { transfer })
 
+/** Some browsers draw space only on a page. */
+function probe(canvas: number): void {
+  const context = new OffscreenCanvas(1, 1).getContext('webgl2')
+  send({ canvas, is: 'probed', able: context !== null })
+  context?.getExtension('WEBGL_lose_context')?.loseContext()
+}
+
 function open(canvas: number, element: OffscreenCanvas): void {
   const renderer = new CanvasRenderer(element, {
     onreleased: (buffer) => send({ canvas, is: 'released', buffer }, [buffer]),
     ondrawn: () => send({ canvas, is: 'drawn' }),
+    onspace: (state) => send({ canvas, is: 'space', state }),
   })
   canvases.set(canvas, { renderer, display: {}, names: { layers: [], shapes: [] } })
 }
 
-async function make(canvas: number, renderer: CanvasRenderer, { id, ...wanted }: Wanted & { id: number }): Promise<void> {
+const found = (renderer: CanvasRenderer, asked: Asked): Promise<Extract<Answer, { is: 'answer' }>['value']> => {
+  if (asked.for === 'svg') return renderer.svg(asked.caption)
+  return asked.for === 'picture' ? renderer.picture(asked.density) : renderer.nearest(asked.at, asked.reach, asked.layers)
+}
+
+async function answer(canvas: number, renderer: CanvasRenderer, asked: Asked & { id: number }): Promise<void> {
+  const { id } = asked
   try {
-    const file = await (wanted.as === 'svg' ? renderer.svg(wanted.caption) : renderer.picture(wanted.density))
-    send({ canvas, is: 'made', id, file })
+    send({ canvas, is: 'answer', id, value: await found(renderer, asked) })
   } catch (error) {
-    send({ canvas, is: 'failed', id, message: String(error) })
+    send({ canvas, is: 'refused', id, message: String(error) })
   }
 }
 
 addEventListener('message', ({ data }: MessageEvent<ToRenderer>) => {
   if (data.is === 'open') open(data.canvas, data.element)
+  if (data.is === 'probe') probe(data.canvas)
   const drawn = canvases.get(data.canvas)
   if (!drawn) return
   const { renderer } = drawn
@@ -48,8 +62,8 @@ addEventListener('message', ({ data }: MessageEvent<ToRenderer>) => {
     case 'ground':
       renderer.ground(data.ground)
       break
-    case 'make':
-      void make(data.canvas, renderer, data)
+    case 'ask':
+      void answer(data.canvas, renderer, data)
       break
     case 'close':
       renderer.dispose()

@@ -1,7 +1,8 @@
+import type { Item, Point } from 'forage-lab'
 import type { Display, Ground, Renderer, RendererListeners } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
-import type { FromRenderer, Made, ToRenderer, Wanted } from './protocol'
+import type { Answer, Asked, FromRenderer, ToRenderer } from './protocol'
 
 type Unaddressed<M> = M extends unknown ? Omit<M, 'canvas'> : never
 
@@ -9,7 +10,7 @@ type Unaddressed<M> = M extends unknown ? Omit<M, 'canvas'> : never
 class RemoteRenderer implements Renderer {
   private shown: Partial<Display> = {}
   private names: Names | undefined
-  private readonly waiting = new Map<number, { resolve(file: string | Blob): void; reject(error: Error): void }>()
+  private readonly waiting = new Map<number, { resolve(value: unknown): void; reject(error: Error): void }>()
   private asked = 0
 
   constructor(private readonly send: (message: Unaddressed<ToRenderer>, transfer?: Transferable[]) => void) {}
@@ -33,33 +34,37 @@ class RemoteRenderer implements Renderer {
   }
 
   svg(caption: string): Promise<string> {
-    return this.make({ as: 'svg', caption }) as Promise<string>
+    return this.ask({ for: 'svg', caption })
   }
 
   picture(density: number): Promise<Blob> {
-    return this.make({ as: 'picture', density }) as Promise<Blob>
+    return this.ask({ for: 'picture', density })
   }
 
-  private make(wanted: Wanted): Promise<string | Blob> {
+  nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null> {
+    return this.ask({ for: 'nearest', at, reach, layers })
+  }
+
+  private ask<T>(asked: Asked): Promise<T> {
     this.asked += 1
     const id = this.asked
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve, reject })
-      this.send({ is: 'make', id, ...wanted })
+      this.waiting.set(id, { resolve: (value) => resolve(value as T), reject })
+      this.send({ is: 'ask', id, ...asked })
     })
   }
 
-  /** The thread's answer; null: there will be none. */
-  answer(made: Made | null): void {
-    if (!made) {
+  /** What the thread says; null: it will say nothing. */
+  answer(answer: Answer | null): void {
+    if (!answer) {
       for (const { reject } of this.waiting.values()) reject(new Error('the thread that draws broke down'))
       this.waiting.clear()
       return
     }
-    const waiting = this.waiting.get(made.id)
-    this.waiting.delete(made.id)
-    if (made.is === 'made') waiting?.resolve(made.file)
-    else waiting?.reject(new Error(made.message))
+    const waiting = this.waiting.get(answer.id)
+    this.waiting.delete(answer.id)
+    if (answer.is === 'answer') waiting?.resolve(answer.value)
+    else waiting?.reject(new Error(answer.message))
   }
 
   dispose(): void {
@@ -80,13 +85,16 @@ export class Renderers {
   private opened = 0
   /** No thread draws here. */
   private alone = false
+  private probe: Promise<boolean> | undefined
+  private probed: ((able: boolean) => void) | undefined
 
   /** `start` starts a thread. */
   constructor(private readonly start: () => Worker) {}
 
-  /** A renderer of a canvas that nothing else has drawn. */
-  async open(canvas: HTMLCanvasElement, listeners: Listeners): Promise<Renderer> {
-    const worker = 'transferControlToOffscreen' in canvas ? this.thread() : undefined
+  /** A renderer of a canvas that nothing else has drawn; `space`: of one that shows space, which not all threads can draw. */
+  async open(canvas: HTMLCanvasElement, listeners: Listeners, space = false): Promise<Renderer> {
+    const away = 'transferControlToOffscreen' in canvas && (!space || (await this.drawsSpace()))
+    const worker = away ? this.thread() : undefined
     if (!worker) {
       const { CanvasRenderer } = await import('./canvas/renderer')
       return new CanvasRenderer(canvas, listeners)
@@ -96,7 +104,7 @@ export class Renderers {
     const send = (message: Unaddressed<ToRenderer>, transfer: Transferable[] = []): void => {
       const isFrame = message.is === 'frame'
       if (worker !== this.worker) {
-        if (message.is === 'make') opened.renderer.answer(null)
+        if (message.is === 'ask') opened.renderer.answer(null)
         if (isFrame) listeners.onreleased(message.frame.buffer)
         return
       }
@@ -108,6 +116,17 @@ export class Renderers {
     this.canvases.set(number, opened)
     send({ is: 'open', element }, [element])
     return opened.renderer
+  }
+
+  /** Whether a thread can draw space. A canvas that was given away cannot be taken back: it is asked before. */
+  private drawsSpace(): Promise<boolean> {
+    const worker = this.thread()
+    if (!worker) return Promise.resolve(false)
+    this.probe ??= new Promise((resolve) => {
+      this.probed = resolve
+      worker.postMessage({ is: 'probe', canvas: 0 } satisfies ToRenderer)
+    })
+    return this.probe
   }
 
   private thread(): Worker | undefined {
@@ -127,11 +146,16 @@ export class Renderers {
   }
 
   private receive(message: FromRenderer): void {
+    if (message.is === 'probed') {
+      this.probed?.(message.able)
+      return
+    }
     const opened = this.canvases.get(message.canvas)
     if (!opened) return
     if (message.is === 'closed') this.canvases.delete(message.canvas)
     else if (message.is === 'drawn') opened.listeners.ondrawn()
-    else if (message.is === 'made' || message.is === 'failed') opened.renderer.answer(message)
+    else if (message.is === 'space') opened.listeners.onspace?.(message.state)
+    else if (message.is === 'answer' || message.is === 'refused') opened.renderer.answer(message)
     else {
       opened.frames -= 1
       opened.listeners.onreleased(message.buffer)
@@ -141,6 +165,7 @@ export class Renderers {
   /** What broke down once is not started again. */
   private lose(): void {
     this.alone = true
+    this.probed?.(false)
     this.worker?.terminate()
     this.worker = undefined
     const lost = [...this.canvases.values()]

@@ -1,9 +1,12 @@
-import { PerspectiveCamera, Vector3 } from 'three'
 import type { ArmScene, Point3, Scene } from '../../../pkg/node.js'
 import { whole } from '../../src/render/space/kinematics'
-import { aim, FIELD_OF_VIEW, fit, type Side, SIDES } from '../../src/render/space/orbit'
+import { Camera } from '../../src/render/space/camera'
+import { fit, type Side, SIDES } from '../../src/render/space/orbit'
 import { margins } from '../../src/render/view'
-import type { Lab, Picture } from './lab'
+import { expect, type Lab, type Picture } from './lab'
+
+/** Pictures that follow each other and are the same: after them nothing more comes. */
+const STILL = 3
 
 /** The scene of an arm. */
 export function armOf(scene: Scene): ArmScene {
@@ -15,13 +18,13 @@ export function armOf(scene: Scene): ArmScene {
 export async function seenAt(lab: Lab, scene: ArmScene, point: Point3, side: Side = 'corner'): Promise<{ x: number; y: number }> {
   const box = await lab.stage.boundingBox()
   if (!box) throw new Error('no stage')
-  const camera = new PerspectiveCamera(FIELD_OF_VIEW, box.width / box.height)
-  aim(camera, fit(whole(scene.workspace, scene.arm), box, margins(box.width, false), SIDES[side]))
-  const at = new Vector3(...point).project(camera)
-  return { x: box.x + ((at.x + 1) / 2) * box.width, y: box.y + ((1 - at.y) / 2) * box.height }
+  const camera = new Camera(fit(whole(scene.workspace, scene.arm), box, margins(box.width, false), SIDES[side]), box)
+  const at = camera.project(point)
+  if (!at) throw new Error('behind the eye')
+  return { x: box.x + at.x, y: box.y + at.y }
 }
 
-/** The stage as it is on the screen, once it stands still: what is drawn in space can't be read from its canvas. */
+/** The stage as it is on the screen, once it stands still. */
 export async function shot(lab: Lab): Promise<Picture> {
   await lab.page.mouse.move(0, 0)
   // Buttons that were pressed are painted a shade otherwise. The page's policy lets in no style of a test's own, but such a sheet.
@@ -30,10 +33,12 @@ export async function shot(lab: Lab): Promise<Picture> {
     sheet.replaceSync('.tools, .views { visibility: hidden }')
     document.adoptedStyleSheets = [sheet]
   })
-  let last = ''
-  for (;;) {
+  await expect(lab.stage).toHaveAttribute('data-drawn')
+  // It is drawn by another thread: what has changed is seen a moment later.
+  let [last, still] = ['', 0]
+  while (still < STILL) {
     const next = (await lab.stage.screenshot()).toString('base64')
-    if (next === last) break
+    still = next === last ? still + 1 : 0
     last = next
   }
   await lab.page.evaluate(() => (document.adoptedStyleSheets = []))

@@ -8,7 +8,6 @@ import type {
   Imported,
   Inspection,
   Item,
-  LayerName,
   LinkSetup,
   Motion,
   NamedFile,
@@ -62,7 +61,6 @@ export function questionsTo(host: RunHost) {
     /** The vertices of a layer of the frame, piece by piece. */
     pieces: (layer: number): Promise<Answer<Followed<Float32Array[]>>> => follow((session) => piecesOf(session.frame(host.budget), layer)),
     outcome: (): Promise<Answer<Outcome>> => ofRun((session) => session.outcome()),
-    svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => ofRun((session) => session.svg(dark, layers as LayerName[])),
     link: (): Promise<Answer<string>> => ofRun((session) => session.link()),
     csv: (): Promise<Answer<string>> => ofRun((session) => session.csv()),
     tourFile: (): Promise<Answer<NamedFile | null>> => ofRun((session) => session.tourFile()),

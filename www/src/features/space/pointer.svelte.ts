@@ -2,11 +2,13 @@ import type { Item, Point } from 'forage-lab'
 import { armOf } from '../../stores/arm.svelte'
 import { added, type Axis, faced, moved, objects, whereIs, withBase, without } from '../../scene/arm'
 import { rounded, same, type Selection } from '../../scene/edits'
+import { times } from '../../scene/vector'
 import type { Lab } from '../../stores/lab.svelte'
 import { NODES } from '../../stores/nodes'
-import { columnOf, distance, faceOf, facing, type Grip, Hold, isHidden, liftAt } from '../../render/space/handles'
+import { columnOf, distance, faceOf, facing, type Grip, Hold, liftAt } from '../../render/space/handles'
+import type { Camera } from '../../render/space/camera'
 import { basis, type Orbit } from '../../render/space/orbit'
-import type { World } from '../../render/space/world'
+import type { Renderer } from '../../render/display'
 
 /** How near a pointer and a finger have to come, in pixels: to marks and handles, and to a node. */
 const REACH = { mouse: 11, finger: 24 }
@@ -32,30 +34,37 @@ export class PointerController {
   private hold: Hold | null = null
   private walked: { item: Item; at: number } | null = null
 
-  constructor(private readonly lab: Lab) {}
+  /** Of the latest question for a point. */
+  private turn = 0
+
+  /** `renderer`: who draws the stage, and knows what lies under a point of it. */
+  constructor(
+    private readonly lab: Lab,
+    private readonly renderer: () => Renderer | null,
+  ) {}
 
   /** What lies under a point of the screen: handles of what is selected over marks, marks over what is solid. */
-  private under(world: World, at: Point, coarse: boolean): Grip | null {
+  private under(camera: Camera, at: Point, coarse: boolean): Grip | null {
     const scene = this.lab.scene.arm
     if (!scene) return null
     const reach = coarse ? REACH.finger : REACH.mouse
-    const away = (point: Parameters<World['project']>[0]): number => {
-      const seen = world.project(point)
+    const away = (point: Parameters<Camera['project']>[0]): number => {
+      const seen = camera.project(point)
       return seen ? Math.hypot(seen.x - at[0], seen.y - at[1]) : Infinity
     }
     const { object: selection } = this.lab.selection
     if (selection) {
-      const lift = liftAt(scene, selection, world)
+      const lift = liftAt(scene, selection, camera)
       if (lift && Math.abs(lift[0] - at[0]) <= reach && Math.abs(lift[1] - at[1]) <= Math.max(reach, 14)) return { kind: 'lift' }
       const cuboid = selection.kind === 'cuboid' ? scene.cuboids[selection.index] : undefined
-      const face = cuboid && facing(cuboid, world).find((one) => away(faceOf(cuboid, one)) <= (coarse ? FACE.finger : FACE.mouse))
+      const face = cuboid && facing(cuboid, camera).find((one) => away(faceOf(cuboid, one)) <= (coarse ? FACE.finger : FACE.mouse))
       if (face && 'index' in selection) return { kind: 'face', index: selection.index, ...face }
     }
     const end = (['goal', 'start'] as const).find((kind) => away(scene[kind]) <= reach)
     if (end) return { kind: end }
-    const { origin, direction } = world.ray(at)
+    const ray = camera.ray(at)
     const solid = [...scene.cuboids, columnOf(scene)]
-      .map((box, index) => ({ index, far: distance(origin, direction, box) }))
+      .map((box, index) => ({ index, far: distance(ray, box) }))
       .filter(({ far }) => Number.isFinite(far))
       .sort((a, b) => a.far - b.far)[0]
     if (!solid) return away(scene.arm.base.position) <= reach ? { kind: 'base' } : null
@@ -68,13 +77,13 @@ export class PointerController {
     return true
   }
 
-  grab(world: World, orbit: Orbit, at: Point, coarse: boolean): boolean {
+  grab(camera: Camera, at: Point, coarse: boolean): boolean {
     const { arm: scene } = this.lab.scene
-    const grip = this.under(world, at, coarse)
+    const grip = this.under(camera, at, coarse)
     const selection = grip && selectionOf(grip, this.lab.selection.object)
     if (!scene || !grip || !selection || !this.holds(grip, coarse)) return false
     this.held = grip
-    this.hold = new Hold(scene, grip, selection, world, orbit, at)
+    this.hold = new Hold(scene, grip, selection, camera, at)
     return true
   }
 
@@ -93,47 +102,47 @@ export class PointerController {
     else this.lab.scene.settle()
   }
 
-  over(world: World, at: Point | null): void {
-    const grip = at && this.under(world, at, false)
+  over(camera: Camera, at: Point | null): void {
+    const grip = at && this.under(camera, at, false)
     this.hover = grip
     const handle = grip && ['face', 'lift', 'start', 'goal'].includes(grip.kind)
-    const item = at && !handle ? this.pointAt(world, at, NODE.mouse) : null
+    if (at && !handle) this.ask(at, NODE.mouse, (item) => this.meet(item))
+    else {
+      this.turn += 1
+      this.meet(null)
+    }
+  }
+
+  private meet(item: Item | null): void {
     this.pointed = item !== null
     armOf(this.lab).node = item?.role === NODES ? item.index : null
   }
 
-  /** The nearest of the points that are shown, can be seen, and can be looked at closer. */
-  private pointAt(world: World, at: Point, reach: number): Item | null {
-    const scene = this.lab.scene.arm
-    if (!scene) return null
-    let [found, least]: [Item | null, number] = [null, reach]
-    for (const { role, pickable } of this.lab.layers.list) {
-      const dots = pickable ? world.layers.pointsOf(role) : null
-      for (let index = 0; dots && index < dots.count; index += 1) {
-        const [x = 0, y = 0, z = 0] = dots.places.subarray(3 * index, 3 * index + 3)
-        const seen = world.project([x, y, z])
-        const away = seen ? Math.hypot(seen.x - at[0], seen.y - at[1]) : Infinity
-        if (away < least && !isHidden(scene, world, [x, y, z])) [found, least] = [{ role, index }, away]
-      }
-    }
-    // Of a big tree only some nodes are drawn.
-    return found && { ...found, index: found.index * (this.lab.run.report?.thinning ?? 1) }
+  /** The nearest of the points that are shown, can be seen, and can be looked at closer; only the latest question is answered. */
+  private ask(at: Point, reach: number, found: (item: Item | null) => void): void {
+    this.turn += 1
+    const { turn } = this
+    const layers = this.lab.layers.list.filter(({ pickable }) => pickable).map(({ role }) => role)
+    const asked = this.renderer()?.nearest(at, reach, layers) ?? Promise.resolve(null)
+    asked.then(
+      (item) => {
+        // Of a big tree only some nodes are drawn.
+        if (turn === this.turn) found(item && { ...item, index: item.index * (this.lab.run.report?.thinning ?? 1) })
+      },
+      () => undefined,
+    )
   }
 
-  tap(world: World, at: Point, coarse: boolean): void {
-    const grip = this.under(world, at, coarse)
+  tap(camera: Camera, at: Point, coarse: boolean): void {
+    const grip = this.under(camera, at, coarse)
     if (grip && grip.kind !== 'cuboid' && grip.kind !== 'base') {
       this.lab.selection.select(selectionOf(grip, this.lab.selection.object))
       return
     }
-    const item = this.pointAt(world, at, coarse ? NODE.finger : NODE.mouse)
-    if (item) {
-      this.lab.selection.select(null)
-      this.lab.selection.inspect(item)
-      return
-    }
-    this.lab.selection.select(grip)
-    if (!grip) this.lab.selection.inspect(null)
+    this.ask(at, coarse ? NODE.finger : NODE.mouse, (item) => {
+      this.lab.selection.select(item ? null : grip)
+      if (item || !grip) this.lab.selection.inspect(item)
+    })
   }
 
   /** From the node that is looked at to another one; the first is the root. */
@@ -214,15 +223,15 @@ export class PointerController {
 function alongAxis(orbit: Orbit, [right, away, up]: readonly [number, number, number]): [axis: Axis, by: number] {
   if (up !== 0) return [2, up]
   const [to, , back] = basis({ ...orbit, elevation: 0 })
-  const way = right !== 0 ? to.multiplyScalar(right) : back.multiplyScalar(-away)
-  const axis: Axis = Math.abs(way.x) >= Math.abs(way.y) ? 0 : 1
-  return [axis, Math.sign(way.getComponent(axis)) * Math.abs(right || away)]
+  const way = right !== 0 ? times(to, right) : times(back, -away)
+  const axis: Axis = Math.abs(way[0]) >= Math.abs(way[1]) ? 0 : 1
+  return [axis, Math.sign(way[axis]) * Math.abs(right || away)]
 }
 
 /** The face that lies to the right, at the back or on top. */
 function sideOf(orbit: Orbit, axis: Axis): 'min' | 'max' {
   if (axis === 2) return 'max'
   const [to, , back] = basis({ ...orbit, elevation: 0 })
-  const [across, deep] = [to.getComponent(axis), -back.getComponent(axis)]
+  const [across, deep] = [to[axis], -back[axis]]
   return (Math.abs(across) >= Math.abs(deep) ? across : deep) > 0 ? 'max' : 'min'
 }

@@ -6,23 +6,22 @@ import type { Lab } from '../../stores/lab.svelte'
 interface Canvases {
   canvas: HTMLCanvasElement | null
   over: HTMLCanvasElement | null
-  draw?: (() => void) | undefined
-  /** Who draws the lowest, where it is one of the plane. */
+  /** Who draws the lowest. */
   renderer: Renderer | null
 }
 
 export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null, renderer: null }))
 
-/** What is seen, as one picture. */
-export function seen(lab: Lab): HTMLCanvasElement | null {
-  const { canvas, over, draw } = canvasesOf(lab)
-  // Some keep what they have drawn only until the next moment.
-  draw?.()
-  if (!canvas || !over) return canvas
-  const whole = document.createElement('canvas')
-  Object.assign(whole, { width: canvas.width, height: canvas.height })
+/** What is seen, as a PNG. */
+export async function pictureOf(lab: Lab): Promise<Blob | null> {
+  const { renderer, over } = canvasesOf(lab)
+  const picture = (await renderer?.picture(devicePixelRatio || 1)) ?? null
+  if (!picture || !over) return picture
+  const beneath = await createImageBitmap(picture)
+  const whole = new OffscreenCanvas(beneath.width, beneath.height)
   const context = whole.getContext('2d')
-  context?.drawImage(canvas, 0, 0)
-  context?.drawImage(over, 0, 0, canvas.width, canvas.height)
-  return whole
+  context?.drawImage(beneath, 0, 0)
+  context?.drawImage(over, 0, 0, beneath.width, beneath.height)
+  beneath.close()
+  return whole.convertToBlob()
 }

@@ -1,6 +1,6 @@
-import type { Scene } from 'forage-lab'
+import type { Item, Point, Scene } from 'forage-lab'
 import { type Anchors, movedTo, orderOf, pointsOf } from '../anchors'
-import type { Display, Ground } from '../display'
+import type { Display, Ground, InSpace, SpaceState } from '../display'
 import type { Frame, Layers } from '../frame'
 import type { Names } from '../looks'
 import { colorOf } from '../palette'
@@ -10,7 +10,9 @@ import { toScreen } from '../view'
 import type { Cells } from './cells'
 import { drawDiscs, drawEnds, drawGrid } from './ground'
 import { drawLayers, drawPath, isNear } from './layers'
-import type { Pen } from './pen'
+import type { Angles } from '../space/projection'
+import type { RoomPainter } from '../space/room-painter'
+import type { CanvasPen, Pen } from './pen'
 import { drawRaster } from './raster'
 
 /** How much of the picture is left while it is not that of the scene, while something is looked at closer, and while the result is followed. */
@@ -26,7 +28,7 @@ export interface Present {
   names: Names
   anchors: Anchors
   /** As an arm's scene is seen from a side. */
-  flat?: { side: string; layers: Layers }
+  flat?: { angles: Angles; layers: Layers }
 }
 
 /** What not every scene needs: each part is loaded with the first one that does. */
@@ -35,6 +37,7 @@ const PARTS = {
   tours: () => import('./tours'),
   inspection: () => import('./inspection'),
   projection: () => import('../space/projection'),
+  room: () => import('../space/room-painter'),
 }
 type Parts = { [P in keyof typeof PARTS]?: Awaited<ReturnType<(typeof PARTS)[P]>> }
 const loading = new Map<keyof Parts, Promise<unknown>>()
@@ -48,13 +51,24 @@ export async function partsLoaded(): Promise<void> {
 /** Paints scenes and frames: on a canvas, or into a file. */
 export class Painter {
   private cells: Cells | null = null
+  private room: RoomPainter | null = null
+  /** Nothing was missing. */
+  private whole = true
 
-  /** `soon`: the picture is to be painted again, for something has arrived. */
-  constructor(private readonly soon: () => void) {}
+  /** `soon`: the picture is to be painted again, for something has arrived; `tell`: whether space can be drawn. */
+  constructor(
+    private readonly soon: () => void,
+    private readonly tell: (state: SpaceState) => void = () => undefined,
+  ) {}
+
+  drop(): void {
+    this.room?.drop()
+  }
 
   /** A part, if it is there; otherwise the picture is painted once more as soon as it is. */
   private part<P extends keyof Parts>(name: P): Parts[P] {
     if (!parts[name]) {
+      this.whole = false
       const loaded = loading.get(name) ?? PARTS[name]().then((part) => Object.assign(parts, { [name]: part }))
       loading.set(name, loaded)
       // What cannot be loaded is asked for again with the next picture.
@@ -70,10 +84,25 @@ export class Painter {
     if (!isCovered(display.scene)) this.drawObstacles(pen, display)
   }
 
-  /** All else. */
-  above(pen: Pen, display: Display, present: Present | null): void {
-    if (display.scene.kind === 'arm') this.drawSpace(pen, display, present)
+  /** All else; returns whether nothing was missing that is yet to come. */
+  above(pen: Pen, display: Display, present: Present | null): boolean {
+    this.whole = true
+    if (isInSpace(display)) this.drawRoom(pen as CanvasPen, display, present)
+    else if (display.scene.kind === 'arm') this.drawSpace(pen, display, present)
     else this.drawPlane(pen, display, present)
+    return this.whole
+  }
+
+  /** The nearest of the points that are shown in space. */
+  nearest(display: Display | null, at: Point, reach: number, layers: readonly string[]): Item | null {
+    return (display && isInSpace(display) && this.room?.nearest(display, at, reach, layers)) || null
+  }
+
+  private drawRoom(pen: CanvasPen, display: Display & InSpace, present: Present | null): void {
+    const part = this.part('room')
+    if (!part) return
+    this.room ??= new part.RoomPainter(this.tell, this.soon)
+    this.room.draw(pen, display, display.fits ? (present?.frame ?? null) : null, present?.names ?? null)
   }
 
   private drawPlane(pen: Pen, display: Display, shown: Present | null): void {
@@ -133,14 +162,14 @@ export class Painter {
     const { scene, space, hidden, overlays, fits } = display
     const projection = this.part('projection')
     if (scene.kind !== 'arm' || !space || !projection) return
-    const { side, skeleton } = space
+    const { angles, skeleton } = space
     const present = fits ? shown : null
-    const flat = projection.flattened(scene, skeleton, side)
-    projection.drawRoom(pen, scene, skeleton, side)
+    const flat = projection.flattened(scene, skeleton, angles)
+    projection.drawRoom(pen, scene, skeleton, angles)
     if (present) {
-      if (present.flat?.side !== side) present.flat = { side, layers: projection.projected(present.frame, side) }
+      if (present.flat?.angles !== angles) present.flat = { angles, layers: projection.projected(present.frame, angles) }
       drawLayers(pen, present.flat.layers, inOwn(present, display), (role) => !hidden.includes(role), flat, {})
-      const to = projection.seen(side)
+      const to = projection.seen(angles)
       for (const { points, look } of overlays)
         drawPath(
           pen,
@@ -151,6 +180,8 @@ export class Painter {
     drawEnds(pen, flat, display)
   }
 }
+
+const isInSpace = (display: Display): display is Display & InSpace => display.orbit !== undefined
 
 /** Fields lie between the ground and the obstacles of a grid; arms are drawn otherwise. */
 const isCovered = ({ kind }: Scene): boolean => kind === 'grid' || kind === 'arm'

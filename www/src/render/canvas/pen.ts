@@ -54,8 +54,8 @@ export interface Pen<C extends Context = Context> {
   palette: Palette
 }
 
-/** On a canvas of the page. */
-export type PagePen = Pen<CanvasRenderingContext2D>
+/** On a canvas, which knows how wide its letters are. */
+export type CanvasPen = Pen<Context & CanvasText & Pick<CanvasPath, 'ellipse'>>
 
 /** Weights are drawn in steps: one stroke a step instead of one a line. */
 const STEPS = 6

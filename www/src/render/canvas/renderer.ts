@@ -1,8 +1,10 @@
+import type { Item, Point } from 'forage-lab'
 import { anchorsOf } from '../anchors'
 import type { Display, Ground, Renderer, RendererListeners } from '../display'
 import type { Frame } from '../frame'
 import type { Names } from '../looks'
 import { Palette } from '../palette'
+import { fit, margins } from '../view'
 import { Painter, partsLoaded, type Present } from './painter'
 import type { Context, Pen } from './pen'
 
@@ -12,7 +14,7 @@ const SHARP = 2
 /** Draws scenes and frames on a canvas of two dimensions: of the page, or of a thread. */
 export class CanvasRenderer implements Renderer {
   private readonly context: Context | null
-  private readonly painter = new Painter(() => this.soon())
+  private readonly painter: Painter
   private display: Display | null = null
   private present: Present | null = null
   private heat: Ground | null = null
@@ -25,6 +27,10 @@ export class CanvasRenderer implements Renderer {
     private readonly listeners: RendererListeners,
   ) {
     this.context = canvas.getContext('2d') as Context | null
+    this.painter = new Painter(
+      () => this.soon(),
+      (state) => listeners.onspace?.(state),
+    )
   }
 
   show(display: Display): void {
@@ -46,27 +52,29 @@ export class CanvasRenderer implements Renderer {
 
   async svg(caption: string): Promise<string> {
     const { VectorContext } = await import('../vector/context')
-    await this.complete()
-    if (!this.display) throw new Error('nothing is shown yet')
-    const { width, height } = this.display.size
-    const file = new VectorContext(width, height, SHARP)
-    this.paint(file, this.display, SHARP)
+    const display = await flat(this.shown())
+    const { width, height } = display.size
+    const file = await this.painted(() => new VectorContext(width, height, SHARP), display, SHARP, this.painter)
     return file.svg(caption)
   }
 
   async picture(density: number): Promise<Blob> {
-    await this.complete()
-    if (!this.display) throw new Error('nothing is shown yet')
-    const { width, height } = this.display.size
+    const display = this.shown()
+    const { width, height } = display.size
     const sheet = new OffscreenCanvas(Math.max(1, Math.round(width * density)), Math.max(1, Math.round(height * density)))
-    const context = sheet.getContext('2d')
-    if (!context) throw new Error('this browser gives no canvas')
-    // Grids are drawn on canvases of their own: those of another size are another painter's.
-    this.paint(context, this.display, density, new Painter(() => undefined))
+    // Grids and space are drawn on canvases of their own: those of another size are another painter's.
+    const painter = new Painter(() => undefined)
+    await this.painted(() => contextOf(sheet), { ...display, density }, density, painter)
+    painter.drop()
     return sheet.convertToBlob()
   }
 
+  async nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null> {
+    return this.painter.nearest(this.display, at, reach, layers)
+  }
+
   dispose(): void {
+    this.painter.drop()
     if (this.request !== 0) cancelAnimationFrame(this.request)
     this.heat?.bitmap.close()
     this.release()
@@ -88,19 +96,21 @@ export class CanvasRenderer implements Renderer {
     })
   }
 
-  /** All that the picture needs is there. */
-  private async complete(): Promise<void> {
-    // What is asked for while drawing is known once something was drawn.
-    this.draw()
-    await partsLoaded()
+  private shown(): Display {
+    if (!this.display) throw new Error('nothing is shown yet')
+    return this.display
   }
 
-  /** All of the picture, on something else. */
-  private paint(context: Context, display: Display, density: number, painter = this.painter): void {
-    const pen: Pen = { ...display, context, density, palette: new Palette(display.theme) }
-    context.setTransform(density, 0, 0, density, 0, 0)
-    painter.beneath(pen, display, this.heat)
-    painter.above(pen, display, this.present)
+  /** All of the picture on something else, with all that it needs. */
+  private async painted<C extends Context>(make: () => C, display: Display, density: number, painter: Painter): Promise<C> {
+    for (;;) {
+      const context = make()
+      const pen: Pen = { ...display, context, density, palette: new Palette(display.theme) }
+      context.setTransform(density, 0, 0, density, 0, 0)
+      painter.beneath(pen, display, this.heat)
+      if (painter.above(pen, display, this.present)) return context
+      await partsLoaded()
+    }
   }
 
   private draw(): void {
@@ -111,8 +121,8 @@ export class CanvasRenderer implements Renderer {
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height })
     const pen: Pen = { context, view, size, density, palette: new Palette(display.theme) }
     this.drawBackdrop(pen, display)
-    this.painter.above(pen, display, this.present)
-    if (!this.present || this.drawn) return
+    const whole = this.painter.above(pen, display, this.present)
+    if (!whole || !this.present || this.drawn) return
     this.drawn = true
     this.listeners.ondrawn()
   }
@@ -136,4 +146,21 @@ export class CanvasRenderer implements Renderer {
     context.drawImage(this.backdrop.sheet, 0, 0)
     context.setTransform(density, 0, 0, density, 0, 0)
   }
+}
+
+function contextOf(sheet: OffscreenCanvas): OffscreenCanvasRenderingContext2D {
+  const context = sheet.getContext('2d')
+  if (!context) throw new Error('this browser gives no canvas')
+  return context
+}
+
+/** What is seen in space as lines and areas in the plane: in parallel projection, from where it is seen. */
+async function flat(display: Display): Promise<Display> {
+  const { scene, size, orbit, posture } = display
+  if (!orbit || scene.kind !== 'arm') return display
+  const [{ flattened }, { home, stance }] = await Promise.all([import('../space/projection'), import('../space/kinematics')])
+  const { skeleton } = stance(scene.arm, posture ?? home(scene.arm))
+  const angles = { azimuth: orbit.azimuth, elevation: orbit.elevation }
+  const view = fit(flattened(scene, skeleton, angles).bounds, size, margins(size.width, true))
+  return { ...display, orbit: undefined, view, space: { angles, skeleton } }
 }

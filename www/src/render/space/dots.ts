@@ -1,17 +1,16 @@
 import { BufferAttribute, BufferGeometry, CanvasTexture, type Color, DynamicDrawUsage, Points, PointsMaterial } from 'three'
-import type { Look } from 'forage-lab'
+import type { Look, Point3 } from 'forage-lab'
 import { colorOf } from '../palette'
 
 const SIDE = 64
 type Mark = Look['glyph']
-const marks = new Map<Mark, CanvasTexture>()
+const marks = new Map<Mark, CanvasTexture<OffscreenCanvas>>()
 
 /** What a point looks like: round, unless it has a mark of its own. */
-export function form(mark?: Mark): CanvasTexture {
+export function form(mark?: Mark): CanvasTexture<OffscreenCanvas> {
   const known = marks.get(mark)
   if (known) return known
-  const canvas = document.createElement('canvas')
-  Object.assign(canvas, { width: SIDE, height: SIDE })
+  const canvas = new OffscreenCanvas(SIDE, SIDE)
   const context = canvas.getContext('2d')
   if (context) draw(context, mark)
   const texture = new CanvasTexture(canvas)
@@ -19,7 +18,7 @@ export function form(mark?: Mark): CanvasTexture {
   return texture
 }
 
-function draw(context: CanvasRenderingContext2D, mark: Mark): void {
+function draw(context: OffscreenCanvasRenderingContext2D, mark: Mark): void {
   const [middle, rim, width] = [SIDE / 2, 2, 13]
   context.strokeStyle = context.fillStyle = colorOf('--light').light
   context.lineWidth = width
@@ -84,6 +83,12 @@ export class Dots {
     places.clearUpdateRanges()
     places.addUpdateRange(0, 3 * this.count)
     places.needsUpdate = true
+  }
+
+  /** Where a point is. */
+  at(index: number): Point3 {
+    const [x = 0, y = 0, z = 0] = this.places.subarray(3 * index, 3 * index + 3)
+    return [x, y, z]
   }
 
   look(colour: Color, mark: Mark, size: number, alpha: number): void {

@@ -1,9 +1,9 @@
-import { Vector3 } from 'three'
 import type { ArmScene, Cuboid, Point3 } from 'forage-lab'
 import { type Axis, type Face, FACES, faced, middle, moved, whereIs } from '../../scene/arm'
 import type { Selection } from '../../scene/edits'
-import { basis, type Orbit } from './orbit'
-import type { World } from './world'
+import { along, dot, lengthOf, minus, times, type Vector } from '../../scene/vector'
+import type { Camera, Ray } from './camera'
+import { basis } from './orbit'
 
 /** What of a scene in space can be taken hold of: its objects, a selected cuboid's faces, and the arrow that lifts what is selected. */
 export type Grip = Selection | ({ kind: 'face'; index: number } & Face) | { kind: 'lift' }
@@ -17,8 +17,6 @@ export const LIFT = 40
 /** A hand is as fine as a millimetre. */
 const FINE = 1000
 
-const vector = (at: Readonly<Point3>): Vector3 => new Vector3(...at)
-const point = ({ x, y, z }: Vector3): Point3 => [x, y, z]
 const neat = (value: number): number => Math.round(value * FINE) / FINE
 
 /** The middle of a cuboid's face. */
@@ -29,26 +27,24 @@ export function faceOf(cuboid: Cuboid, { axis, side }: Face): Point3 {
 }
 
 /** The faces that are turned to the eye. */
-export function facing(cuboid: Cuboid, world: World): Face[] {
-  const eye = world.ray([0, 0]).origin
-  return FACES.filter(({ axis, side }) =>
-    side === 'max' ? eye.getComponent(axis) > cuboid.max[axis] : eye.getComponent(axis) < cuboid.min[axis],
-  )
+export function facing(cuboid: Cuboid, camera: Camera): Face[] {
+  const { eye } = camera
+  return FACES.filter(({ axis, side }) => (side === 'max' ? eye[axis] > cuboid.max[axis] : eye[axis] < cuboid.min[axis]))
 }
 
 /** Where the arrow is that lifts an object: above it on the screen. */
-export function liftAt(scene: ArmScene, selection: Selection, world: World): [number, number] | null {
+export function liftAt(scene: ArmScene, selection: Selection, camera: Camera): [number, number] | null {
   const cuboid = selection.kind === 'cuboid' ? scene.cuboids[selection.index] : undefined
   const at = cuboid ? faceOf(cuboid, { axis: 2, side: 'max' }) : whereIs(scene, selection)
-  const seen = at && world.project(at)
+  const seen = at && camera.project(at)
   return seen && [seen.x, seen.y - LIFT]
 }
 
 /** How far along a ray a box is; Infinity: it misses. */
-export function distance(origin: Vector3, direction: Vector3, { min, max }: Cuboid): number {
+export function distance({ origin, direction }: Ray, { min, max }: Cuboid): number {
   let [near, far] = [0, Infinity]
   for (let axis = 0; axis < 3; axis += 1) {
-    const [from, by] = [origin.getComponent(axis), direction.getComponent(axis)]
+    const [from = 0, by = 0] = [origin[axis], direction[axis]]
     const [a, b] = [((min[axis] ?? 0) - from) / by, ((max[axis] ?? 0) - from) / by]
     if (Number.isNaN(a) || Number.isNaN(b)) continue
     near = Math.max(near, Math.min(a, b))
@@ -58,12 +54,11 @@ export function distance(origin: Vector3, direction: Vector3, { min, max }: Cubo
 }
 
 /** Whether a cuboid stands between the eye and a point. */
-export function isHidden(scene: ArmScene, world: World, at: Readonly<Point3>): boolean {
-  const { origin } = world.ray([0, 0])
-  const way = vector(at).sub(origin)
-  const far = way.length()
-  way.divideScalar(far)
-  return scene.cuboids.some((cuboid) => distance(origin, way, cuboid) < far - 1e-3)
+export function isHidden(scene: ArmScene, camera: Camera, at: Readonly<Point3>): boolean {
+  const way = minus(at, camera.eye)
+  const far = lengthOf(way)
+  const ray = { origin: camera.eye, direction: times(way, 1 / far) }
+  return scene.cuboids.some((cuboid) => distance(ray, cuboid) < far - 1e-3)
 }
 
 /** The column under the base, as a box. */
@@ -75,7 +70,7 @@ export function columnOf({ arm, workspace }: ArmScene): Cuboid {
 
 /** Something that is held, from where it was taken hold of. */
 export class Hold {
-  private from: Vector3
+  private from: Vector
   private readonly anchor: Point3
   private across = false
   /** Where the hand was. */
@@ -85,13 +80,12 @@ export class Hold {
     private readonly scene: ArmScene,
     readonly grip: Grip,
     private readonly selection: Selection,
-    private readonly world: World,
-    private readonly orbit: Orbit,
+    private readonly camera: Camera,
     at: At,
   ) {
     this.anchor = [...(whereIs(scene, selection) ?? [0, 0, 0])]
     this.last = at
-    this.from = this.touch(at) ?? vector(this.anchor)
+    this.from = this.touch(at) ?? [...this.anchor]
   }
 
   /** The scene with it where the hand is now; `across`: upwards instead of over the floor. */
@@ -107,60 +101,60 @@ export class Hold {
     if (grip.kind !== 'lift' && across !== this.across) this.anew(to, this.last, across)
     this.last = at
     if (grip.kind === 'lift' || across) {
-      const height = this.along(at, point(this.from), 2)
-      if (height !== null) to[2] = neat(this.anchor[2] + height - this.from.z)
+      const height = this.along(at, this.from, 2)
+      if (height !== null) to[2] = neat(this.anchor[2] + height - this.from[2])
       return moved(now, selection, to)
     }
     const touched = this.onPlane(at, this.from)
     if (!touched) return now
-    const by = touched.sub(this.from)
-    return moved(now, selection, [neat(this.anchor[0] + by.x), neat(this.anchor[1] + by.y), neat(this.anchor[2] + by.z)])
+    const by = minus(touched, this.from)
+    return moved(now, selection, [neat(this.anchor[0] + by[0]), neat(this.anchor[1] + by[1]), neat(this.anchor[2] + by[2])])
   }
 
   private anew(at: Point3, screen: At, across: boolean): void {
     this.across = across
     for (const axis of [0, 1, 2] as const) this.anchor[axis] = at[axis]
-    this.from = this.onPlane(screen, vector(at)) ?? vector(at)
+    this.from = this.onPlane(screen, at) ?? [...at]
     if (across) {
       const height = this.along(screen, at, 2)
-      this.from = vector(at).setZ(height ?? at[2])
+      this.from = [at[0], at[1], height ?? at[2]]
     }
   }
 
   /** The point of the object that was touched. */
-  private touch(at: At): Vector3 | null {
-    const { grip, selection, scene, world } = this
+  private touch(at: At): Point3 | null {
+    const { grip, selection, scene, camera } = this
     if (grip.kind === 'face') return null
     if (grip.kind === 'lift') {
       const height = this.along(at, this.anchor, 2)
-      return height === null ? null : vector(this.anchor).setZ(height)
+      return height === null ? null : [this.anchor[0], this.anchor[1], height]
     }
     const box = selection.kind === 'cuboid' ? scene.cuboids[selection.index] : selection.kind === 'base' ? columnOf(scene) : undefined
-    if (!box) return this.onPlane(at, vector(this.anchor))
-    const { origin, direction } = world.ray(at)
-    const far = distance(origin, direction, box)
-    return Number.isFinite(far) ? origin.addScaledVector(direction, far) : this.onPlane(at, vector(this.anchor))
+    if (!box) return this.onPlane(at, this.anchor)
+    const ray = camera.ray(at)
+    const far = distance(ray, box)
+    return Number.isFinite(far) ? along(ray.origin, ray.direction, far) : this.onPlane(at, this.anchor)
   }
 
   /** Where the hand is on the level plane through a point; seen from the side, on the upright one. */
-  private onPlane(at: At, through: Vector3): Vector3 | null {
-    const { origin, direction } = this.world.ray(at)
-    const normal = Math.abs(this.orbit.elevation) < FLAT ? basis({ ...this.orbit, elevation: 0 })[2] : new Vector3(0, 0, 1)
-    const far = through.clone().sub(origin).dot(normal) / direction.dot(normal)
+  private onPlane(at: At, through: Vector): Point3 | null {
+    const { orbit } = this.camera
+    const { origin, direction } = this.camera.ray(at)
+    const normal: Vector = Math.abs(orbit.elevation) < FLAT ? basis({ ...orbit, elevation: 0 })[2] : [0, 0, 1]
+    const far = dot(minus(through, origin), normal) / dot(direction, normal)
     // Beyond the horizon, or nearly: a pixel would be metres.
-    if (!(far > 0) || far > 4 * this.orbit.distance) return null
-    return origin.addScaledVector(direction, far)
+    if (!(far > 0) || far > 4 * orbit.distance) return null
+    return along(origin, direction, far)
   }
 
   /** Where along an axis through a point the hand is. */
-  private along(at: At, through: Readonly<Point3>, axis: Axis): number | null {
-    const { origin, direction } = this.world.ray(at)
-    const line = new Vector3().setComponent(axis, 1)
-    const gap = vector(through).sub(origin)
-    const cos = direction.dot(line)
+  private along(at: At, through: Vector, axis: Axis): number | null {
+    const { origin, direction } = this.camera.ray(at)
+    const gap = minus(through, origin)
+    const cos = direction[axis]
     const sin = 1 - cos * cos
     // Looked at along the axis, the hand can't say how far.
     if (sin < 1e-3) return null
-    return through[axis] + (cos * gap.dot(direction) - gap.dot(line)) / sin
+    return through[axis] + (cos * dot(gap, direction) - gap[axis]) / sin
   }
 }

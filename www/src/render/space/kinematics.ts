@@ -1,36 +1,55 @@
-import { MathUtils, Matrix4, Vector3 } from 'three'
-import type { Arm, Cuboid } from 'forage-lab'
+import type { Arm, Cuboid, Point3 } from 'forage-lab'
+import { along, cross, plus, radians, times } from '../../scene/vector'
 
 /** Where an arm's parts are in a posture. */
 export interface Stance {
   /** Base, shoulder, elbow, wrist and tip. */
-  skeleton: readonly Vector3[]
+  skeleton: readonly Point3[]
   /** The directions of the joints' axes. */
-  axes: readonly Vector3[]
+  axes: readonly Point3[]
 }
 
 /** The home posture, in degrees. */
 export const home = (arm: Arm): number[] => arm.joints.map((joint) => joint.home)
 
+/** Where a link is, and where its x and z point to. */
+interface Frame {
+  origin: Point3
+  x: Point3
+  z: Point3
+}
+
+const yOf = ({ x, z }: Frame): Point3 => cross(z, x)
+
+/** Turned about its x, by degrees. */
+function rolled(frame: Frame, angle: number): Frame {
+  const [cos, sin] = [Math.cos(radians(angle)), Math.sin(radians(angle))]
+  return { ...frame, z: plus(times(frame.z, cos), times(yOf(frame), -sin)) }
+}
+
+/** Turned about its z, by degrees. */
+function turned(frame: Frame, angle: number): Frame {
+  const [cos, sin] = [Math.cos(radians(angle)), Math.sin(radians(angle))]
+  return { ...frame, x: plus(times(frame.x, cos), times(yOf(frame), sin)) }
+}
+
 /** The product of the links' transforms, [ARM-RRT] (1), as the core has it: Rx(α) Tx(a) Rz(θ) Tz(d) each. */
 export function stance(arm: Arm, posture: readonly number[]): Stance {
   const { position, yaw = 0 } = arm.base
-  const frame = new Matrix4().makeRotationZ(MathUtils.degToRad(yaw)).setPosition(...position)
-  const origins = [new Vector3(...position)]
-  const axes: Vector3[] = []
+  let frame = turned({ origin: [...position], x: [1, 0, 0], z: [0, 0, 1] }, yaw)
+  const origins = [frame.origin]
+  const axes: Point3[] = []
   arm.joints.forEach(({ a, alpha, d }, at) => {
-    frame
-      .multiply(new Matrix4().makeRotationX(MathUtils.degToRad(alpha)).setPosition(a, 0, 0))
-      .multiply(new Matrix4().makeRotationZ(MathUtils.degToRad(posture[at] ?? 0)))
-      .multiply(new Matrix4().makeTranslation(0, 0, d))
-    origins.push(new Vector3().setFromMatrixPosition(frame))
-    axes.push(new Vector3().setFromMatrixColumn(frame, 2))
+    const next = rolled(frame, alpha)
+    frame = turned({ ...next, origin: along(next.origin, next.x, a) }, posture[at] ?? 0)
+    frame = { ...frame, origin: along(frame.origin, frame.z, d) }
+    origins.push(frame.origin)
+    axes.push(frame.z)
   })
   const { axis, length } = arm.tool
-  const tool = new Vector3().setComponent(['x', 'y', 'z'].indexOf(axis), length)
+  const tip = along(frame.origin, { x: frame.x, y: yOf(frame), z: frame.z }[axis], length)
   const [base, , shoulder, elbow, wrist] = origins
-  const skeleton = [base, shoulder, elbow, wrist, tool.applyMatrix4(frame)].map((point) => point ?? new Vector3())
-  return { skeleton, axes }
+  return { skeleton: [base, shoulder, elbow, wrist, tip].map((point) => point ?? [0, 0, 0]), axes }
 }
 
 /** About how far an arm reaches from its first axis. */
@@ -40,8 +59,7 @@ export function reachOf(arm: Arm): number {
 
 /** A box about the workspace and the arm in its home posture: what is to be seen. */
 export function whole(workspace: Cuboid, arm: Arm): Cuboid {
-  const points = [new Vector3(...workspace.min), new Vector3(...workspace.max), ...stance(arm, home(arm)).skeleton]
-  const low = points.reduce((found, point) => found.min(point), points[0]?.clone() ?? new Vector3())
-  const high = points.reduce((found, point) => found.max(point), points[0]?.clone() ?? new Vector3())
-  return { min: [low.x, low.y, low.z], max: [high.x, high.y, high.z] }
+  const points = [workspace.min, workspace.max, ...stance(arm, home(arm)).skeleton]
+  const [min, max] = [Math.min, Math.max].map((of) => [0, 1, 2].map((axis) => of(...points.map((point) => point[axis] ?? 0))) as Point3)
+  return { min: min ?? workspace.min, max: max ?? workspace.max }
 }

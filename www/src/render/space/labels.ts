@@ -1,11 +1,11 @@
-import { Vector3 } from 'three'
 import type { Cuboid, Point3 } from 'forage-lab'
 import { space } from '../../locales/en/space'
+import { plus, times } from '../../scene/vector'
 import { FONT, plate } from '../canvas/ground'
-import type { PagePen } from '../canvas/pen'
+import type { CanvasPen } from '../canvas/pen'
 import { tick } from '../view'
 import { ticks } from './room'
-import type { World } from './world'
+import type { Camera } from './camera'
 
 /** Numbers lie at least so far apart, in pixels, and so far from their edge. */
 const APART = 46
@@ -20,15 +20,15 @@ interface Edge {
 }
 
 /** The numbers along three edges of the workspace, in metres: on the floor the ones nearest to the eye, and an upright one at the side. */
-export function drawAxes(pen: PagePen, world: World, box: Cuboid): void {
+export function drawAxes(pen: CanvasPen, camera: Camera, box: Cuboid): void {
   const { context, palette } = pen
   context.font = FONT
   context.textBaseline = 'middle'
   context.setLineDash([])
-  const middle = world.project([(box.min[0] + box.max[0]) / 2, (box.min[1] + box.max[1]) / 2, (box.min[2] + box.max[2]) / 2])
+  const middle = camera.project([(box.min[0] + box.max[0]) / 2, (box.min[1] + box.max[1]) / 2, (box.min[2] + box.max[2]) / 2])
   if (!middle) return
-  for (const { axis, from, to } of edges(world, box)) {
-    const [a, b] = [world.project(from), world.project(to)]
+  for (const { axis, from, to } of edges(camera, box)) {
+    const [a, b] = [camera.project(from), camera.project(to)]
     if (!a || !b) continue
     const length = Math.hypot(b.x - a.x, b.y - a.y)
     // Seen from its end an axis has no numbers.
@@ -43,7 +43,7 @@ export function drawAxes(pen: PagePen, world: World, box: Cuboid): void {
     for (const value of ticks(from[axis], to[axis], step)) {
       const at: Point3 = [...from]
       at[axis] = value
-      const seen = world.project(at)
+      const seen = camera.project(at)
       if (!seen) continue
       context.lineWidth = 1
       context.strokeStyle = palette.get('--line-strong')
@@ -72,28 +72,26 @@ export function drawAxes(pen: PagePen, world: World, box: Cuboid): void {
 }
 
 /** Where a text is seen whole. */
-function inside({ context, size }: PagePen, text: string, x: number, y: number): [number, number] {
+function inside({ context, size }: CanvasPen, text: string, x: number, y: number): [number, number] {
   const width = context.measureText(text).width + 6
   const before = { left: 0, center: width / 2, right: width }[context.textAlign as 'left' | 'center' | 'right']
   return [Math.min(Math.max(x, before), size.width - width + before), Math.min(Math.max(y, 10), size.height - 10)]
 }
 
-function edges(world: World, { min, max }: Cuboid): Edge[] {
-  const { origin } = world.ray([0, 0])
+function edges(camera: Camera, { min, max }: Cuboid): Edge[] {
   const near = (axis: 0 | 1): number =>
-    Math.abs(origin.getComponent(axis) - min[axis]) < Math.abs(origin.getComponent(axis) - max[axis]) ? min[axis] : max[axis]
+    Math.abs(camera.eye[axis] - min[axis]) < Math.abs(camera.eye[axis] - max[axis]) ? min[axis] : max[axis]
   const [x, y, floor] = [near(0), near(1), min[2]]
   const floors: Edge[] = [
     { axis: 0, from: [min[0], y, floor], to: [max[0], y, floor] },
     { axis: 1, from: [x, min[1], floor], to: [x, max[1], floor] },
   ]
-  const seen = (edge: Edge): { x: number; y: number } =>
-    world.project(new Vector3(...edge.from).lerp(new Vector3(...edge.to), 0.5)) ?? { x: 0, y: 0 }
+  const seen = (edge: Edge): { x: number; y: number } => camera.project(times(plus(edge.from, edge.to), 0.5)) ?? { x: 0, y: 0 }
   const uprights = [min[0], max[0]]
     .flatMap((px) => [min[1], max[1]].map((py): Edge => ({ axis: 2, from: [px, py, floor], to: [px, py, max[2]] })))
     .sort((one, other) => seen(one).x - seen(other).x)
   // Its numbers must not stand among those of the floor's steeper edge.
-  const [steep] = [...floors].sort((one, other) => slope(world, other) - slope(world, one))
+  const [steep] = [...floors].sort((one, other) => slope(camera, other) - slope(camera, one))
   const meets = (edge: Edge | undefined): boolean =>
     [steep?.from, steep?.to].some((end) => end?.[0] === edge?.from[0] && end?.[1] === edge?.from[1])
   const upright = meets(uprights[0]) ? uprights.at(-1) : uprights[0]
@@ -101,7 +99,7 @@ function edges(world: World, { min, max }: Cuboid): Edge[] {
 }
 
 /** How steep an edge is on the screen. */
-function slope(world: World, { from, to }: Edge): number {
-  const [a, b] = [world.project(from), world.project(to)]
+function slope(camera: Camera, { from, to }: Edge): number {
+  const [a, b] = [camera.project(from), camera.project(to)]
   return a && b ? Math.abs(a.y - b.y) / Math.max(1, Math.abs(a.x - b.x)) : 0
 }

@@ -1,16 +1,18 @@
 import { Group } from 'three'
-import type { Layer, Look, Point3 } from 'forage-lab'
+import type { Look, Point3 } from 'forage-lab'
 import { piecesOf } from '../canvas/layers'
 import type { Palette } from '../palette'
 import { lookBeside, type Names, PLAIN, resultOf } from '../looks'
 import { type Layers as Drawing, spansOf, verticesOf } from '../frame'
 import { colourOf } from './colors'
+import type { Overlay } from '../display'
 import { Dots } from './dots'
 import { Strokes, vertices } from './strokes'
 
-const EXACT = 'exact'
+/** No layer's key begins like this. */
+const OVERLAY = '/'
 
-type Drawn = Pick<Layer, 'role' | 'look'>
+type Drawn = { role: string; look: Look }
 
 /** What a planner has drawn, a kind of lines and one of points for each layer. */
 export class Layers {
@@ -22,7 +24,7 @@ export class Layers {
   private shown = new Set<string>()
 
   /** The frame's numbers are copied: it goes back to the core. */
-  show(frame: Drawing | null, names: Names, exact: { path: readonly Point3[]; look: Look }, on: (role: string) => boolean): void {
+  show(frame: Drawing | null, names: Names, overlays: readonly Overlay[], on: (role: string) => boolean): void {
     for (const each of [...this.strokes.values(), ...this.dots.values()]) each.clear()
     this.shown = new Set()
     if (frame) {
@@ -36,9 +38,10 @@ export class Layers {
         }
       }
     }
-    if (exact.path.length > 1 && on(EXACT)) {
-      this.shown.add(EXACT)
-      this.strokesOf({ role: EXACT, look: exact.look }).add(vertices(exact.path), 0, exact.path.length, true)
+    for (const [at, { points, look }] of overlays.entries()) {
+      const role = `${OVERLAY}${at}`
+      this.shown.add(role)
+      this.strokesOf({ role, look }).add(vertices(points.map(([x, y, z = 0]) => [x, y, z])), 0, points.length, true)
     }
     for (const each of [...this.strokes.values(), ...this.dots.values()]) each.done()
     for (const [role, { group }] of this.strokes) group.visible = this.shown.has(role)
@@ -52,7 +55,7 @@ export class Layers {
     for (const [role, strokes] of this.strokes) {
       const look = lookBeside(this.lookOf(role), result)
       // What is the outcome is not faded with the rest.
-      const kept = look.result !== undefined || role === EXACT
+      const kept = look.result !== undefined || role.startsWith(OVERLAY)
       strokes.look(look, { colour: colourOf(palette, look.color), ground, alpha: all * (kept ? 1 : left), result: kept })
     }
     for (const [role, dots] of this.dots) {
@@ -74,8 +77,7 @@ export class Layers {
   place(role: string, index: number): Point3 | null {
     const dots = this.dots.get(role)
     if (!dots || index < 0 || index >= dots.count) return null
-    const [x = 0, y = 0, z = 0] = dots.places.subarray(3 * index, 3 * index + 3)
-    return [x, y, z]
+    return dots.at(index)
   }
 
   private lookOf(role: string): Look {

@@ -11,6 +11,7 @@ import {
   Vector3,
 } from 'three'
 import type { Arm } from 'forage-lab'
+import { lengthOf, minus } from '../../scene/vector'
 import { home, reachOf, type Stance, stance } from './kinematics'
 
 /** What an arm's parts are made of. */
@@ -53,7 +54,7 @@ export class Machine {
   ) {
     const reach = reachOf(arm)
     const at = stance(arm, home(arm))
-    const length = (joint: number): number => at.skeleton[joint]?.distanceTo(at.skeleton[joint + 1] ?? new Vector3()) ?? 0
+    const length = (joint: number): number => lengthOf(minus(at.skeleton[joint + 1] ?? [0, 0, 0], at.skeleton[joint] ?? [0, 0, 0]))
     LINKS.forEach(([from, to], joint) => {
       const [wide, narrow] = [Math.max(least, from * reach), Math.max(least, to * reach)]
       this.links.push(this.part(new CylinderGeometry(narrow, wide, length(joint), ROUND), skin.body))
@@ -110,7 +111,7 @@ export class Machine {
   /** Joints in degrees. */
   pose(posture: readonly number[]): Stance {
     const now = stance(this.arm, posture)
-    const { skeleton, axes } = now
+    const [skeleton, axes] = [now.skeleton, now.axes].map((all) => all.map((one) => new Vector3(...one))) as [Vector3[], Vector3[]]
     const point = (at: number): Vector3 => skeleton[at] ?? new Vector3()
     for (const [at, link] of this.links.entries()) span(link, point(at), point(at + 1))
     for (const [at, end] of this.ends.entries()) end.position.copy(point(at + 1))

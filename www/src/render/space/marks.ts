@@ -1,13 +1,14 @@
-import type { ArmScene, Inspection, Look, Point3 } from 'forage-lab'
+import type { ArmScene, Point3 } from 'forage-lab'
 import { whereIs } from '../../scene/arm'
 import type { Selection } from '../../scene/edits'
 import { space } from '../../locales/en/space'
 import { HANDLE, plate } from '../canvas/ground'
 import { arrow, MANY, SMALL } from '../canvas/inspection'
-import { applyStyle, isMarked, marked, type PagePen } from '../canvas/pen'
+import { applyStyle, isMarked, marked, type CanvasPen } from '../canvas/pen'
+import type { Detail } from '../display'
 import { closer } from '../looks'
 import { faceOf, facing, type Grip, isHidden, liftAt } from './handles'
-import type { World } from './world'
+import type { Camera } from './camera'
 
 /** How much of a mark is seen that something stands before. */
 const BEHIND = 0.4
@@ -24,15 +25,15 @@ export interface Marked {
 }
 
 /** Start and goal as in the plane, each on a stem that stands on the floor. */
-export function drawEnds(pen: PagePen, world: World, { scene, selection, hover, blamed }: Marked): void {
+export function drawEnds(pen: CanvasPen, camera: Camera, { scene, selection, hover, blamed }: Marked): void {
   const { context, palette, size } = pen
   for (const kind of ['start', 'goal'] as const) {
     const at = scene[kind]
-    const seen = world.project(at)
+    const seen = camera.project(at)
     if (!seen) continue
     const colour = palette.get(blamed?.kind === kind ? '--danger' : '--ink')
-    context.globalAlpha = isHidden(scene, world, at) ? BEHIND : 1
-    stem(pen, world, at, scene.workspace.min[2])
+    context.globalAlpha = isHidden(scene, camera, at) ? BEHIND : 1
+    stem(pen, camera, at, scene.workspace.min[2])
     context.setLineDash([])
     context.beginPath()
     context.arc(seen.x, seen.y, HANDLE, 0, 2 * Math.PI)
@@ -60,8 +61,8 @@ export function drawEnds(pen: PagePen, world: World, { scene, selection, hover, 
 }
 
 /** Says how high a point is. */
-function stem({ context, palette }: PagePen, world: World, at: Readonly<Point3>, floor: number): void {
-  const [top, foot] = [world.project(at), world.project([at[0], at[1], floor])]
+function stem({ context, palette }: CanvasPen, camera: Camera, at: Readonly<Point3>, floor: number): void {
+  const [top, foot] = [camera.project(at), camera.project([at[0], at[1], floor])]
   if (!top || !foot) return
   context.setLineDash([2, 3])
   context.lineWidth = 1.25
@@ -77,7 +78,7 @@ function stem({ context, palette }: PagePen, world: World, at: Readonly<Point3>,
   context.fill()
 }
 
-function circle({ context }: PagePen, x: number, y: number, radius: number, colour: string): void {
+function circle({ context }: CanvasPen, x: number, y: number, radius: number, colour: string): void {
   context.beginPath()
   context.arc(x, y, radius, 0, 2 * Math.PI)
   context.lineWidth = 2
@@ -86,14 +87,14 @@ function circle({ context }: PagePen, x: number, y: number, radius: number, colo
 }
 
 /** What the selected object can be taken hold of by: a cuboid's faces, and an arrow upwards. */
-export function drawHandles(pen: PagePen, world: World, { scene, selection, hover, held }: Marked): void {
+export function drawHandles(pen: CanvasPen, camera: Camera, { scene, selection, hover, held }: Marked): void {
   const { context, palette } = pen
   if (!selection) return
   const cuboid = selection.kind === 'cuboid' ? scene.cuboids[selection.index] : undefined
   context.setLineDash([])
   if (cuboid) {
-    for (const face of facing(cuboid, world)) {
-      const seen = world.project(faceOf(cuboid, face))
+    for (const face of facing(cuboid, camera)) {
+      const seen = camera.project(faceOf(cuboid, face))
       if (!seen) continue
       const meant = hover?.kind === 'face' && hover.axis === face.axis && hover.side === face.side
       context.beginPath()
@@ -105,19 +106,19 @@ export function drawHandles(pen: PagePen, world: World, { scene, selection, hove
       context.stroke()
     }
   }
-  const at = liftAt(scene, selection, world)
+  const at = liftAt(scene, selection, camera)
   if (at) lift(pen, at, hover?.kind === 'lift')
   if (selection.kind === 'base') {
-    const seen = world.project(scene.arm.base.position)
+    const seen = camera.project(scene.arm.base.position)
     if (seen) circle(pen, seen.x, seen.y, HANDLE + 4, palette.get('--focus'))
   }
   const middleOf = held && whereIs(scene, selection)
-  if (middleOf) told(pen, world, middleOf, cuboid ? cuboid.max : middleOf)
+  if (middleOf) told(pen, camera, middleOf, cuboid ? cuboid.max : middleOf)
 }
 
 /** Where it is while it is held. */
-function told({ context, palette }: PagePen, world: World, at: Readonly<Point3>, top: Readonly<Point3>): void {
-  const seen = world.project([at[0], at[1], top[2]])
+function told({ context, palette }: CanvasPen, camera: Camera, at: Readonly<Point3>, top: Readonly<Point3>): void {
+  const seen = camera.project([at[0], at[1], top[2]])
   if (!seen) return
   context.font = BOLD
   context.textAlign = 'left'
@@ -126,7 +127,7 @@ function told({ context, palette }: PagePen, world: World, at: Readonly<Point3>,
   plate(context, palette.get('--stage'), at.map((value) => value.toFixed(3).replace('-', '−')).join('  '), seen.x + 16, seen.y - 22)
 }
 
-function lift({ context, palette }: PagePen, [x, y]: readonly [number, number], meant: boolean): void {
+function lift({ context, palette }: CanvasPen, [x, y]: readonly [number, number], meant: boolean): void {
   context.strokeStyle = palette.get('--stage')
   context.fillStyle = palette.get('--focus')
   context.lineJoin = 'round'
@@ -148,18 +149,18 @@ function lift({ context, palette }: PagePen, [x, y]: readonly [number, number], 
 }
 
 /** What was looked at closer: its points, and arrows. */
-export function drawInspection(pen: PagePen, world: World, scene: ArmScene, { layers }: Inspection, lookOf: (key: string) => Look): void {
+export function drawDetails(pen: CanvasPen, camera: Camera, scene: ArmScene, details: readonly Detail[]): void {
   const { context } = pen
-  for (const { role, shape, vertices } of [...layers].sort((a, b) => lookOf(a.role).order - lookOf(b.role).order)) {
-    const style = closer(lookOf(role))
+  for (const { look, shape, vertices } of [...details].sort((a, b) => a.look.order - b.look.order)) {
+    const style = closer(look)
     applyStyle(pen, style)
-    const seen = vertices.map((vertex) => world.project(vertex))
+    const seen = vertices.map((vertex) => camera.project(vertex))
     if (shape === 'points') {
       const small = vertices.length > MANY ? { ...style, point: Math.min(style.point, SMALL) } : style
       seen.forEach((at, index) => {
         const vertex = vertices[index]
         if (!at || !vertex) return
-        context.globalAlpha = style.opacity[0] * (isHidden(scene, world, vertex) ? BEHIND : 1)
+        context.globalAlpha = style.opacity[0] * (isHidden(scene, camera, vertex) ? BEHIND : 1)
         if (isMarked(style)) marked(pen, small, at.x, at.y)
         else {
           context.beginPath()
@@ -187,8 +188,8 @@ export function drawInspection(pen: PagePen, world: World, scene: ArmScene, { la
 }
 
 /** A ring about a node. */
-export function drawNode(pen: PagePen, world: World, at: Readonly<Point3> | null, chosen: boolean): void {
-  const seen = at && world.project(at)
+export function drawNode(pen: CanvasPen, camera: Camera, at: Readonly<Point3> | null, chosen: boolean): void {
+  const seen = at && camera.project(at)
   if (!seen) return
   pen.context.setLineDash([])
   circle(pen, seen.x, seen.y, chosen ? 8 : 7, pen.palette.get(chosen ? '--focus' : '--line-strong'))

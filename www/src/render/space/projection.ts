@@ -1,40 +1,18 @@
 import type { ArmScene, Cuboid, DiscsScene, Point, Point3 } from 'forage-lab'
 import type { Layers } from '../frame'
 import { type Path, type Pen, pathOf } from '../canvas/pen'
+import { dot } from '../../scene/vector'
 import { toScreen } from '../view'
+import { basis, type Orbit } from './orbit'
 
-/* A race of arms is seen in parallel projection from one of four sides, all lanes from the same. */
+/* Arms in the plane: seen in parallel projection, as in a race and in a drawing. */
 
-export const SIDES = ['corner', 'front', 'side', 'top'] as const
-export type Side = (typeof SIDES)[number]
-
-/** Degrees: about z from x, and above the floor; as in space. */
-const ANGLES: Readonly<Record<Side, readonly [azimuth: number, elevation: number]>> = {
-  corner: [-62, 27],
-  front: [-90, 0],
-  side: [0, 0],
-  top: [-90, 90],
-}
-
-type Axes = readonly [right: Point3, up: Point3, back: Point3]
-
-function axesOf(side: Side): Axes {
-  const [turn = 0, rise = 0] = ANGLES[side].map((angle) => (angle * Math.PI) / 180)
-  const back: Point3 = [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)]
-  const right: Point3 = [-Math.sin(turn), Math.cos(turn), 0]
-  const up: Point3 = [
-    back[1] * right[2] - back[2] * right[1],
-    back[2] * right[0] - back[0] * right[2],
-    back[0] * right[1] - back[1] * right[0],
-  ]
-  return [right, up, back]
-}
-
-const dot = (a: Point3, b: Point3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+/** From where it is seen, in degrees. */
+export type Angles = Pick<Orbit, 'azimuth' | 'elevation'>
 
 /** A point as it is seen from a side, in metres. */
-export function seen(side: Side): (point: Point3) => Point {
-  const [right, up] = axesOf(side)
+export function seen(side: Angles): (point: Point3) => Point {
+  const [right, up] = basis(side)
   return (point) => [dot(right, point), dot(up, point)]
 }
 
@@ -42,7 +20,7 @@ const corners = ({ min, max }: Cuboid): Point3[] =>
   Array.from({ length: 8 }, (_, at): Point3 => [at & 1 ? max[0] : min[0], at & 2 ? max[1] : min[1], at & 4 ? max[2] : min[2]])
 
 /** The scene as a picture in the plane: what stands in it is drawn apart. */
-export function flattened(scene: ArmScene, skeleton: readonly Point3[], side: Side): DiscsScene {
+export function flattened(scene: ArmScene, skeleton: readonly Point3[], side: Angles): DiscsScene {
   const to = seen(side)
   const all = [...corners(scene.workspace), ...skeleton].map(to)
   const [x, y] = [all.map((at) => at[0]), all.map((at) => at[1])]
@@ -61,8 +39,8 @@ export function flattened(scene: ArmScene, skeleton: readonly Point3[], side: Si
 }
 
 /** A frame's vertices as they are seen from a side. */
-export function projected({ buffer, vertices, spans }: Layers, side: Side): Layers {
-  const [right, up] = axesOf(side)
+export function projected({ buffer, vertices, spans }: Layers, side: Angles): Layers {
+  const [right, up] = basis(side)
   const copy = buffer.slice(0, 4 * (vertices + spans))
   const points = new Float32Array(copy, 0, vertices)
   for (let at = 0; at < vertices; at += 4) {
@@ -84,9 +62,9 @@ const FACES = [0, 1, 2].flatMap((axis) =>
 )
 
 /** The room, what stands in it, and the arm at home. */
-export function drawRoom(pen: Pen, scene: ArmScene, skeleton: readonly Point3[], side: Side): void {
+export function drawRoom(pen: Pen, scene: ArmScene, skeleton: readonly Point3[], side: Angles): void {
   const { context, palette } = pen
-  const back = axesOf(side)[2]
+  const back = basis(side)[2]
   context.setLineDash([])
   context.lineJoin = context.lineCap = 'round'
   context.fillStyle = palette.get('--grid')
@@ -110,8 +88,8 @@ export function drawRoom(pen: Pen, scene: ArmScene, skeleton: readonly Point3[],
   }
 }
 
-function faces(pen: Pen, box: Cuboid, side: Side, shown: (towards: number, axis: number, high: boolean) => boolean): Path {
-  const [to, back, all] = [seen(side), axesOf(side)[2], corners(box)]
+function faces(pen: Pen, box: Cuboid, side: Angles, shown: (towards: number, axis: number, high: boolean) => boolean): Path {
+  const [to, back, all] = [seen(side), basis(side)[2], corners(box)]
   const path = pathOf(pen)
   for (const { axis, high, ring } of FACES) {
     if (!shown((high ? 1 : -1) * (back[axis] ?? 0), axis, high === 1)) continue
@@ -125,7 +103,7 @@ function faces(pen: Pen, box: Cuboid, side: Side, shown: (towards: number, axis:
   return path
 }
 
-function drawArm({ context, palette, view, size }: Pen, scene: ArmScene, skeleton: readonly Point3[], side: Side): void {
+function drawArm({ context, palette, view, size }: Pen, scene: ArmScene, skeleton: readonly Point3[], side: Angles): void {
   const to = seen(side)
   const base = scene.arm.base.position
   const line = ([[base[0], base[1], scene.workspace.min[2]], ...skeleton] as Point3[]).map((point) => toScreen(view, size, to(point)))

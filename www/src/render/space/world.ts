@@ -1,5 +1,5 @@
-import { DirectionalLight, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
-import type { Arm, ArmScene, ArmSolutions, Cuboid, Point3 } from 'forage-lab'
+import { DirectionalLight, Group, HemisphereLight, Matrix4, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
+import type { Arm, ArmScene, ArmSolutions, Cuboid } from 'forage-lab'
 import { colorOf, type Palette } from '../palette'
 import type { Size } from '../view'
 import { Boxes, type Mood } from './boxes'
@@ -8,7 +8,7 @@ import { colourOf, mixed } from './colors'
 import { home, type Stance } from './kinematics'
 import { Layers } from './layers'
 import { Machine, skin, veil } from './machine'
-import { aim, FIELD_OF_VIEW, type Orbit, pixel } from './orbit'
+import { basis, eyeOf, FAR, FIELD_OF_VIEW, NEAR, type Orbit, pixel } from './orbit'
 import { Room } from './room'
 
 /** How much of a ghost is seen, and of the one that is pointed at. */
@@ -17,13 +17,6 @@ const GHOST = { many: 0.16, one: 0.6 }
 const DENSEST = 2
 const SHADOWS = 2048
 const LIGHT = colorOf('--light').light
-
-/** A point on the screen, and how far it is from the eye. */
-export interface Seen {
-  x: number
-  y: number
-  depth: number
-}
 
 /** Everything that is drawn in space. It draws when it is asked to, and never by itself. */
 export class World {
@@ -45,7 +38,7 @@ export class World {
   /** What throws shadows has moved since they were drawn. */
   private moved = true
 
-  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
+  constructor(canvas: HTMLCanvasElement | OffscreenCanvas, context: WebGL2RenderingContext) {
     this.renderer = new WebGLRenderer({ canvas, context })
     this.renderer.shadowMap.enabled = true
     this.renderer.shadowMap.type = PCFShadowMap
@@ -72,16 +65,23 @@ export class World {
     )
   }
 
-  resize(size: Size): void {
+  /** `density`: pixels of the screen a pixel of the page. */
+  resize(size: Size, density: number): void {
     this.size = size
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, DENSEST))
+    this.renderer.setPixelRatio(Math.min(density, DENSEST))
     this.renderer.setSize(size.width, size.height, false)
     this.camera.aspect = size.width / size.height
   }
 
   look(orbit: Orbit): void {
     this.orbit = orbit
-    aim(this.camera, orbit)
+    const [right, up, back] = basis(orbit).map((axis) => new Vector3(...axis)) as [Vector3, Vector3, Vector3]
+    this.camera.position.set(...eyeOf(orbit))
+    this.camera.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(right, up, back))
+    this.camera.near = orbit.distance * NEAR
+    this.camera.far = orbit.distance * FAR
+    this.camera.updateProjectionMatrix()
+    this.camera.updateMatrixWorld()
   }
 
   paint(palette: Palette, dark: boolean): void {
@@ -176,23 +176,6 @@ export class World {
     this.renderer.shadowMap.needsUpdate = this.moved
     this.moved = false
     this.renderer.render(this.scene, this.camera)
-  }
-
-  /** Where a point is on the screen; null: behind the eye. */
-  project(point: Readonly<Point3> | Vector3): Seen | null {
-    const at = point instanceof Vector3 ? point.clone() : new Vector3(...point)
-    const depth = at.distanceTo(this.camera.position)
-    at.applyMatrix4(this.camera.matrixWorldInverse)
-    if (at.z > -this.camera.near) return null
-    at.applyMatrix4(this.camera.projectionMatrix)
-    return { x: ((at.x + 1) / 2) * this.size.width, y: ((1 - at.y) / 2) * this.size.height, depth }
-  }
-
-  /** From the eye through a point of the screen. */
-  ray([x, y]: readonly [number, number]): { origin: Vector3; direction: Vector3 } {
-    const at = new Vector3((2 * x) / this.size.width - 1, 1 - (2 * y) / this.size.height, 0.5).unproject(this.camera)
-    const origin = this.camera.position.clone()
-    return { origin, direction: at.sub(origin).normalize() }
   }
 
   /** The graphics card has lost what it knew. */

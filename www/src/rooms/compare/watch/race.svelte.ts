@@ -13,7 +13,7 @@ import { Lane, type Started } from './lane.svelte'
 import type { Entry, Ready } from './presets'
 import { fitting, type Task, taskOf, tasksOn } from './tasks'
 import { Times } from './times.svelte'
-import type { Side } from '../../../render/space/projection'
+import type { Side } from '../../../render/space/orbit'
 import { ranks } from './standings'
 
 const without = <T>(values: Record<string, T>, name: string): Record<string, T> =>

@@ -1,6 +1,7 @@
 import type { Point, Scene } from 'forage-lab'
 import { type Box, extent, fit, isDown, pan, type Size, type View, zoom } from '../../../render/view'
 import type { Race } from './race.svelte'
+import { SIDES } from '../../../render/space/orbit'
 import { flattened } from '../../../render/space/projection'
 
 /** Left free about a scene in a lane, in pixels. */
@@ -9,7 +10,7 @@ const MARGINS: Point = [30, 28]
 /** What is to be seen: of an arm's scene, what a side shows. */
 function boxOf({ lanes, side }: Race, scene: Scene): Box {
   if (scene.kind !== 'arm') return extent(scene)
-  return flattened(scene, lanes.find(({ run }) => run)?.run?.skeleton ?? [], side).bounds
+  return flattened(scene, lanes.find(({ run }) => run)?.run?.skeleton ?? [], SIDES[side]).bounds
 }
 
 /** All of the scene, in all lanes. */
