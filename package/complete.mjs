@@ -340,8 +340,15 @@ const description = {
   license: crate.license,
   keywords: crate.keywords,
   engines: { node: '>=20' },
-  // The element's script is built with the page.
-  files: [...readdirSync(folder).filter((file) => !['package.json', 'glue.d.ts', 'element.js'].includes(file)), 'element.js'],
+  // The element's script and the renderer are built with the page.
+  files: [
+    ...new Set([
+      ...readdirSync(folder).filter((file) => !['package.json', 'glue.d.ts'].includes(file)),
+      'element.js',
+      'render.js',
+      'render',
+    ]),
+  ],
   main: './node.js',
   module: './forage.js',
   types: './forage.d.ts',
@@ -355,6 +362,7 @@ const description = {
     './core': { types: './core.d.ts', default: './core.js' },
     './element': { types: './element.d.ts', default: './element.js' },
     './embed': { types: './embed.d.ts', default: './embed.js' },
+    './render': { types: './render.d.ts', default: './render.js' },
     './words': { types: './words.d.ts', default: './words.js' },
     './*.wasm': './*.wasm',
     './locales/*': './locales/*',
