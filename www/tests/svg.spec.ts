@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises'
 import type { UncheckedSetup } from 'forage-lab'
 import sharp from 'sharp'
 import { linkTo } from './support/core'
+import { decoded, difference } from './support/pixels'
 import { en, expect, type Lab, test } from './support/lab'
 
 /** Of each kind of picture one: areas, a height map, cells with a field, tubes with a hatch, numbers and arrows, a crowd of points. */
@@ -31,11 +32,8 @@ for (const [setup, iteration] of RUNS) {
     await lab.settled(iteration)
     await lab.picture()
     const { width, height } = (await lab.stage.boundingBox()) ?? { width: 0, height: 0 }
-    const canvas = Buffer.from(
-      await lab.stage
-        .evaluate((stage: HTMLCanvasElement) => new Promise<string>((resolve) => requestAnimationFrame(() => resolve(stage.toDataURL()))))
-        .then((address) => address.slice(address.indexOf(',') + 1)),
-      'base64',
+    const canvas = await lab.stage.evaluate(
+      (stage: HTMLCanvasElement) => new Promise<string>((resolve) => requestAnimationFrame(() => resolve(stage.toDataURL()))),
     )
     const svg = await drawing(lab)
     expect(svg).toContain(`<title>`)
@@ -47,12 +45,7 @@ for (const [setup, iteration] of RUNS) {
     await viewer.close()
 
     const region = { left: 0, top: 0, width: Math.floor(width), height: Math.floor(height) }
-    const [one, other] = await Promise.all([canvas, seen].map((image) => sharp(image).extract(region).removeAlpha().raw().toBuffer()))
-    let different = 0
-    for (let at = 0; at < (one?.length ?? 0); at += 3) {
-      if ([0, 1, 2].some((channel) => Math.abs((one?.[at + channel] ?? 0) - (other?.[at + channel] ?? 0)) > NOTICED)) different += 1
-    }
-    expect(different / (region.width * region.height)).toBeLessThan(0.005)
+    expect(await difference(await sharp(decoded(canvas)).extract(region).toBuffer(), seen, NOTICED)).toBeLessThan(0.005)
     await page.bringToFront()
   })
 }

@@ -26,7 +26,8 @@ export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: str
     .filter(([, { role, look }]) => look.glyph !== 'number' && on(role))
     .sort(([, a], [, b]) => a.look.order - b.look.order)
   const result = resultOf(shown.map(([, layer]) => layer))
-  for (const [number, { look }] of shown) {
+  for (const [number, { look, role }] of shown) {
+    pen.context.layer?.(role)
     const style = stopsOf(scene).length > CROWD ? thinner(lookBeside(look, result)) : lookBeside(look, result)
     const isResult = result > 0 && look.result === result
     const pieces = piecesOf(spans, number, names.shapes)
@@ -51,6 +52,7 @@ export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: str
     if (scene.kind === 'discs') insideDiscs(pen, lines, scene.discs)
     if (scene.kind === 'grid') for (const [first, count] of ways) more.insideCells?.(pen, scene, pathOf(vertices, first, count))
   }
+  pen.context.layer?.(null)
 }
 
 /** What a layer is made of. */

@@ -200,7 +200,12 @@ function inOwn({ names }: Present, { theme: { best } }: Display): Names {
 
 function drawFields(pen: Pen, { frame, names }: Present, on: (role: string) => boolean): void {
   const alpha = isNear(frame, names, on) ? BENEATH : 1
-  for (const field of frame.fields) if (on(field.role)) drawRaster(pen, field, alpha)
+  for (const field of frame.fields) {
+    if (!on(field.role)) continue
+    pen.context.layer?.(field.role)
+    drawRaster(pen, field, alpha)
+  }
+  pen.context.layer?.(null)
 }
 
 function drawGround({ context, view, size }: Pen, { bitmap, box }: Ground): void {

@@ -42,6 +42,8 @@ export interface Context
   clip(path?: Path): void
   /** Only of a file: its paths are written down. */
   path?(d?: string): Path
+  /** Only of a file: what follows is of this layer; null: of none. */
+  layer?(role: string | null): void
 }
 
 /** What drawing needs to know. */

@@ -105,7 +105,7 @@ export class RoomPainter {
       world.layers.show(frame, names, overlays, (role) => !hidden.includes(role))
     if (this.changed('faintness', frame, names, overlays, hidden, details, faded, followed, theme.dark))
       world.layers.paint(palette, details ? CLOSER : followed ? MOVING : 1, faded ? STALE : 1)
-    // The arm stands anew when it is another one, or elsewhere.
+    // Another arm, or the same elsewhere, is built again.
     const machine = JSON.stringify([arm, workspace.min[2]])
     if (this.changed('arm', machine, thickness, theme.dark)) world.showArm(scene, thickness)
     const visible = !hidden.includes(ARM)

@@ -119,6 +119,7 @@ export class VectorContext implements Context {
   private readonly body: (string | Promise<string>)[] = []
   private readonly defined: (string | Promise<string>)[] = []
   private ids = 0
+  private within = false
 
   /** `density` pixels of what it is drawn with are one of the picture. */
   constructor(
@@ -130,6 +131,13 @@ export class VectorContext implements Context {
   /** A path that can be written down. */
   path(d?: string): Path {
     return new VectorPath(d)
+  }
+
+  /** What follows is of this layer: together, and by its name, for those who work on with the file. */
+  layer(role: string | null): void {
+    if (this.within) this.body.push('</g>')
+    this.within = role !== null
+    if (role !== null) this.body.push(`<g class="${escaped(role)}">`)
   }
 
   async svg(caption: string): Promise<string> {
