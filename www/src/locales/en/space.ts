@@ -2,7 +2,6 @@ const metres = (value: number): string => `${Number(value.toFixed(3))}`.replace(
 
 export const space = {
   label: 'Stage in space: the arm, its workspace and what the planner makes of it',
-  help: 'Arrows turn the view, plus and minus zoom, 0 shows all; 1, 2, 3 and 4 look from the front, the side, above and a corner. Space plays and pauses, comma and full stop step through the iterations, with Shift by ten; Home and End jump. N and P select the next and previous object: start, goal, cuboids, base. Arrows move what is selected over the floor, Page up and Page down lift and lower it; with Shift, these keys resize a cuboid by its far faces, and turn the base. A adds a cuboid, Delete removes the selected one, Escape lets go. J and K look closer at the node before and at the next one. While the arm moves, Space, comma, full stop, Home and End are for its time.',
   words: ({ size, cuboids, nodes, length, from, to }: Words): string =>
     [
       `Workspace of ${size.map(metres).join(' × ')} metres, ${cuboids === 1 ? '1 cuboid' : `${cuboids} cuboids`}.`,
