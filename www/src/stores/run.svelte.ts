@@ -23,6 +23,8 @@ export class RunStore {
   outcome = $state.raw<Outcome | null>(null)
   /** The members' numbers, row by row, while somebody asks for them. */
   members = $state.raw<Float64Array | null>(null)
+  /** The link of this run promised this hash at this iteration, and it came out. */
+  verified = $state.raw<{ iteration: number; hash: string } | null>(null)
   readonly course = new Course()
   readonly suggested = new Suggested()
 

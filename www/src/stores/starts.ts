@@ -82,6 +82,7 @@ export class Starts {
   /** Starts a new run; the number of that change, or 0 if there is no scene yet. */
   restart(opening: Opening, since?: number): number {
     this.stores.followers.stop()
+    this.stores.run.verified = null
     const { present } = this.stores.scene
     return present ? this.stores.playback.start(this.stores.setup.wanted(present), this.stores.parameters.checks, opening, since) : 0
   }
@@ -118,7 +119,9 @@ export class Starts {
   /** Whether the run of a link is the one that the link promises. */
   compare({ iteration, hash }: Report): void {
     if (this.promised?.at !== iteration) return
-    if (this.promised.hash !== hash) this.stores.notices.text = en.notices.hash
+    const { hash: promised } = this.promised
+    if (promised === hash) this.stores.run.verified = { iteration, hash }
+    else this.stores.notices.text = en.notices.hash(String(iteration), promised, hash ?? '')
     this.promised = undefined
   }
 }

@@ -25,12 +25,12 @@ export const en = {
     embed: 'Embed',
     exports: 'Export',
     guide: 'Guide',
+    keys: 'Keys (?)',
     theme: 'Colours',
     themes: { system: 'Colours: as the system', light: 'Colours: light', dark: 'Colours: dark' },
   },
   stage: {
     label: 'Stage: the scene and what the planner makes of it',
-    help: 'Space plays and pauses. Left and right step through the iterations, with Shift by ten; Home and End jump; Page up and Page down go from part to part of a run, N and P from event to event. Plus and minus zoom, 0 shows all, up and down move the view. Arrows move a selected object, Delete removes a disc or a stop, Escape lets go. While painting, arrows choose a cell, Space paints or erases it, Escape ends; with the lens, Space looks closer. While the robot drives or an iteration is unfolded, the keys are for that time and Escape leads back. The Scene panel edits the scene, too.',
     tools: 'Stage tools',
     add: 'Add a disc',
     remove: 'Delete the selected disc',
@@ -85,6 +85,8 @@ export const en = {
     unfold: 'Unfold this iteration: the ants’ walk, step by step',
   },
   result: {
+    verified: 'verified: same bits',
+    verifiedHelp: (hash: string) => `The link promises ${hash}, and that came out again.`,
     length: 'best path',
     tour: 'best tour',
     cost: 'best value',
@@ -115,7 +117,7 @@ export const en = {
     turns: (count: string) => (count === '1' ? '1 turn' : `${count} turns`),
     iteration: 'iteration',
     evaluations: 'evaluations',
-    none: 'nothing found yet',
+    none: 'no result yet',
     paused: 'paused',
     starting: 'starting …',
     status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution' },
@@ -163,7 +165,8 @@ export const en = {
   },
   notices: {
     link: (message: string) => `The link could not be opened: ${message}`,
-    hash: 'This link’s fingerprint differs from what was computed here: it was made by another version.',
+    hash: (iteration: string, promised: string, found: string) =>
+      `Not the same bits: at iteration ${iteration} the link promises ${promised}, and ${found} came out here. Another version made the link, or somebody changed it.`,
     kind: (planner: string, scene: string, other: string) => `${planner} does not run on “${scene}”: ${other} takes its place.`,
     nothing: 'There is no path to follow.',
     unloaded: (message: string) => `A part of the program could not be loaded (${message}).`,
