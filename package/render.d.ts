@@ -29,13 +29,17 @@ export interface DrawingOptions {
 
 /** A canvas on which runs are drawn. */
 export interface RunDrawing {
-  /** Draws the iteration that a session is at, as soon as the browser draws again. */
+  /**
+   * Draws the iteration that a session is at, as soon as the browser draws again.
+   *
+   * Throws an `Error` with `field`, `value` and `allowed` for a planner that the catalogue lacks and for layers that it has not.
+   */
   draw(session: Session): void
-  /** Changes how it is drawn. */
+  /** Changes how it is drawn. Throws, as `draw` does, for what is no size, density, budget or camera. */
   set(options: DrawingOptions): void
-  /** What is drawn, as SVG with this title: all that is not an arm's scene in lines and areas, that one in parallel projection. */
+  /** What is drawn, as SVG with this title; fails before anything was drawn. All that is not an arm's scene in lines and areas, that one in parallel projection. */
   svg(caption?: string): Promise<string>
-  /** What is drawn, as a PNG. */
+  /** What is drawn, as a PNG with so many pixels a pixel of the page; at first those of the canvas. */
   png(density?: number): Promise<Blob>
   /** Ends it. */
   dispose(): void

@@ -83,3 +83,14 @@ test('it draws in the dark, without a layer and another part of the plane, on re
     pictures.push((await drawn(await context.newPage(), setup, 5, { size: SIZE, density: 1, ...options })).png)
   expect(new Set(pictures).size).toBe(pictures.length)
 })
+
+test('what cannot be drawn is refused by name', async ({ page }) => {
+  const setup = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
+  for (const [options, field] of [
+    [{ density: 0 }, 'density'],
+    [{ size: { width: NaN, height: 3 } }, 'size'],
+    [{ camera: { center: [0, 0], zoom: -1 } }, 'camera'],
+    [{ layers: { pheromone: true } }, 'layers'],
+  ] as [DrawingOptions, string][])
+    await expect(drawn(page, setup, 1, { size: SIZE, ...options })).rejects.toThrow(new RegExp(`${field}: .* is not allowed; it must be `))
+})

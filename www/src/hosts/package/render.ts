@@ -1,6 +1,6 @@
 /* `forage-lab/render`: draws runs on a page of one's own, by the code that draws the page. */
 import type { DrawingOptions, RunDrawing } from 'forage-lab/render'
-import { type Catalogue, catalogue, type Planner, type Session } from 'forage-lab'
+import { type Catalogue, catalogue, type Exact, type Planner, type Scene, type Session } from 'forage-lab'
 import { layersOf } from '../../catalogue/parameters'
 import { fieldsOf } from '../../engine/host/fields'
 import { pack } from '../../engine/host/pack'
@@ -18,12 +18,37 @@ const MARGINS = [30, 28] as const
 const FINEST = 700
 const BUDGET = 40_000
 
+/** What is wrong with an option, as the core says it. */
+function refused(field: string, value: unknown, allowed: string): never {
+  throw Object.assign(new Error(`${field}: ${JSON.stringify(value)} is not allowed; it must be ${allowed}.`), { field, value, allowed })
+}
+
+const isPositive = (value: number): boolean => Number.isFinite(value) && value > 0
+
+function check({ size, density, camera, budget }: DrawingOptions): void {
+  if (size && !(isPositive(size.width) && isPositive(size.height))) refused('size', size, 'a width and a height above 0')
+  if (density !== undefined && !isPositive(density)) refused('density', density, 'a number above 0')
+  if (budget !== undefined && !(Number.isSafeInteger(budget) && budget > 0)) refused('budget', budget, 'a whole number above 0')
+  const numbers = camera ? ('zoom' in camera ? camera.center : [...camera.target, camera.azimuth, camera.elevation]) : []
+  const far = camera ? ('zoom' in camera ? camera.zoom : camera.distance) : 1
+  if (!(isPositive(far) && numbers.every(Number.isFinite))) refused('camera', camera, 'finite numbers, with a zoom or a distance above 0')
+}
+
+/** What of a session stays as it is. */
+interface Known {
+  session: Session
+  planner: Planner
+  names: Names
+  scene: Scene
+  /** Once it was asked for: it may take a while to find. */
+  exact?: Exact | null
+}
+
 class Drawing implements RunDrawing {
   private options: DrawingOptions = {}
   private readonly renderer: CanvasRenderer
   private readonly free: ArrayBuffer[] = []
-  private session: Session | null = null
-  private known: { planner: Planner | undefined; names: Names } | null = null
+  private known: Known | null = null
   private heights = ''
 
   constructor(
@@ -35,19 +60,25 @@ class Drawing implements RunDrawing {
   }
 
   set(options: DrawingOptions): void {
+    check(options)
+    const { known, options: before } = this
     if (options.catalogue) this.known = null
-    this.options = { ...this.options, ...options }
-    if (this.session) this.draw(this.session)
+    this.options = { ...before, ...options }
+    try {
+      if (known) this.draw(known.session)
+    } catch (error) {
+      // What is refused changes nothing.
+      Object.assign(this, { known, options: before })
+      throw error
+    }
   }
 
   draw(session: Session): void {
-    this.session = session
     const { budget = BUDGET } = this.options
-    const display = this.displayOf(session)
-    const { planner, names } = this.layersOf(session.planner)
-    const shown = planner
-      ? layersOf(planner, display.scene.kind, session.parameters).filter(({ role }) => !display.hidden.includes(role))
-      : []
+    const known = this.knownOf(session)
+    const display = this.displayOf(known)
+    const { planner, names } = known
+    const shown = layersOf(planner, display.scene.kind, session.parameters).filter(({ role }) => !display.hidden.includes(role))
     const viewport = viewportOf(display.orbit ? [] : shown, display.view, display.size, display.theme.dark)
     session.lookAt(viewport.window?.min, viewport.window?.max)
     // The views last until the next call: nothing of the core may come between here and the copy.
@@ -67,7 +98,7 @@ class Drawing implements RunDrawing {
   }
 
   dispose(): void {
-    this.session = null
+    this.known = null
     this.renderer.dispose()
   }
 
@@ -80,13 +111,14 @@ class Drawing implements RunDrawing {
     return this.options.catalogue ?? catalogue()
   }
 
-  private layersOf(name: string): { planner: Planner | undefined; names: Names } {
-    if (this.known?.planner?.name !== name) {
-      const { all } = this
-      const planner = all.planners.find((candidate) => candidate.name === name)
-      this.known = { planner, names: namesOf(all, planner) }
-    }
-    return this.known as { planner: Planner | undefined; names: Names }
+  /** The scene is the same object for all pictures of a session: what was drawn of it is kept. */
+  private knownOf(session: Session): Known {
+    if (this.known?.session === session) return this.known
+    const { all } = this
+    const planner = all.planners.find(({ name }) => name === session.planner)
+    if (!planner) return refused('planner', session.planner, `one of the catalogue’s: ${all.planners.map(({ name }) => name).join(', ')}`)
+    this.known = { session, planner, names: namesOf(all, planner), scene: session.scene }
+    return this.known
   }
 
   private get density(): number {
@@ -100,12 +132,16 @@ class Drawing implements RunDrawing {
     return { width: canvas.width / density, height: canvas.height / density }
   }
 
-  private displayOf(session: Session): Display {
+  private displayOf(known: Known): Display {
     const { options, size, density } = this
-    const { scene } = session
-    const { planner } = this.layersOf(session.planner)
+    const { session, planner, scene } = known
+    const layers = [...planner.layers, ...['margin', 'moving', 'arm'].map((role) => ({ role, on: true }))]
+    const names = [...layers.map(({ role }) => role), 'exact']
+    const unknown = Object.keys(options.layers ?? {}).find((role) => !names.includes(role))
+    if (unknown !== undefined) refused('layers', unknown, `one of ${planner.name}’s: ${names.join(', ')}`)
     const shows = (role: string, on: boolean): boolean => options.layers?.[role] ?? on
-    const exact = shows('exact', true) ? session.exact() : null
+    if (shows('exact', true) && known.exact === undefined) known.exact = session.exact()
+    const exact = shows('exact', true) ? known.exact : null
     const points = scene.kind === 'arm' ? exact?.tip_path : exact?.path
     const overlays: Overlay[] = points ? [{ points, look: layerOf(this.all, null, 'exact')?.look ?? PLAIN }] : []
     const events = session.events()
@@ -117,15 +153,13 @@ class Drawing implements RunDrawing {
       theme: { dark: options.dark ?? false },
       fits: true,
       faded: false,
-      hidden: [...(planner?.layers ?? []), { role: 'margin', on: true }, { role: 'moving', on: true }, { role: 'arm', on: true }]
-        .filter(({ role, on }) => !shows(role, on))
-        .map(({ role }) => role),
+      hidden: layers.filter(({ role, on }) => !shows(role, on)).map(({ role }) => role),
       overlays,
       details: null,
       followed: false,
-      touring: scene.kind === 'tour' || (planner?.stops ?? false),
+      touring: scene.kind === 'tour' || planner.stops,
       playing: false,
-      tones: events.map(({ kind }) => planner?.events.find(({ name }) => name === kind)?.tone ?? 'plain'),
+      tones: events.map(({ kind }) => planner.events.find(({ name }) => name === kind)?.tone ?? 'plain'),
       selection: null,
       hover: null,
       blamed: null,
