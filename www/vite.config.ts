@@ -8,6 +8,7 @@ import { formulas } from './plugins/formulas.ts'
 import { installable } from './plugins/installable.ts'
 import { palette } from './plugins/palette.ts'
 import { policy } from './plugins/policy.ts'
+import { recordings } from './plugins/recordings.ts'
 import { reproduction } from './plugins/reproduction.ts'
 
 const core = fileURLToPath(new URL('../pkg', import.meta.url))
@@ -29,6 +30,7 @@ export default defineConfig({
     early(['forage_bg', 'catalogue']),
     formulas(core),
     palette(`${root}/src/describe/palette.json`),
+    recordings(core),
     reproduction(root),
     policy(),
     installable(

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { download, finished, keep, openBatch, seeds } from './support/batch'
+import { budget, download, finished, keep, openBatch, seeds } from './support/batch'
 import { expect, type Lab, test } from './support/lab'
 
 /* A batch that outlives its page: its rows in the browser, its plan in the address. */
@@ -9,7 +9,7 @@ async function small(lab: Lab): Promise<void> {
   await openBatch(lab)
   await keep(lab.page, ['wcpso', 'cpso'])
   await seeds(lab.page, 3)
-  await lab.page.getByTestId('batch-iterations').fill('30')
+  await budget(lab.page, 4650)
   await lab.page.getByTestId('batch-run').click()
   await finished(lab.page, 6)
 }
@@ -22,13 +22,13 @@ test('plan and results outlive a reload and go with the address, until they are 
   await expect(page.getByTestId('batch-kept')).toContainText('6')
   const hashes = await hashesIn(page)
   expect(hashes).toHaveLength(6)
-  await expect(page).toHaveURL(/#view=batch&scene=wcpso-discs&seeds=1-3&limit=30&with=wcpso,cpso$/)
+  await expect(page).toHaveURL(/#view=compare&as=statistics&scene=wcpso-discs&seeds=1-3&budget=4650&with=cpso,wcpso$/)
   const address = page.url()
   await page.reload()
   await finished(page, 6)
   await expect.poll(() => hashesIn(page)).toEqual(hashes)
-  expect(await page.getByTestId('entrant').evaluateAll((all) => all.map((one) => one.dataset.planner))).toEqual(['wcpso', 'cpso'])
-  await expect(page.getByTestId('batch-iterations')).toHaveValue('30')
+  expect(await page.getByTestId('entrant').evaluateAll((all) => all.map((one) => one.dataset.planner))).toEqual(['cpso', 'wcpso'])
+  await expect(page.getByTestId('batch-budget')).toHaveValue('4650')
 
   // Somebody else has the plan by its address, and runs it.
   const elsewhere = await browser.newContext({ serviceWorkers: 'block' })
@@ -76,14 +76,14 @@ test('where a browser keeps nothing, results are dropped only when asked or save
 
 test('an address that makes no sense says so, and the view begins as without one', async ({ lab, page }) => {
   await lab.open('#view=batch&maps=nowhere;%=%&seeds=9-1&with=aco')
-  await expect(page.getByTestId('batch-notice')).toContainText('nowhere')
+  await expect(page.getByTestId('compare-notice')).toContainText('nowhere')
   await expect(page.getByTestId('entrant')).toHaveCount(4)
 })
 
 test('a plan with random maps and parameters has an address; what cannot be read of one is said', async ({ lab, page }) => {
   await lab.open('#view=batch&maps=rooms;columns=20;rows=20&seeds=3-6&with=aco;alpha=2,dijkstra,nobody')
-  await expect(page.getByTestId('batch-notice')).toContainText('nobody')
+  await expect(page.getByTestId('compare-notice')).toContainText('nobody')
   await expect(page.getByTestId('entrant')).toHaveCount(2)
   await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-total', '8')
-  await expect(page).toHaveURL(/#view=batch&maps=rooms;columns=20;rows=20&seeds=3-6&with=aco;alpha=2,dijkstra$/)
+  await expect(page).toHaveURL(/#view=compare&as=statistics&maps=rooms;columns=20;rows=20&seeds=3-6&budget=own&with=aco;alpha=2,dijkstra$/)
 })

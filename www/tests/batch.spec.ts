@@ -1,10 +1,11 @@
 import { compare, generateScene, type TrialRecord } from '../../pkg/node.js'
 import { batch as text } from '../src/locales/en/batch'
+import { compare as plan } from '../src/locales/en/compare'
 import { PADDING, ROW } from '../src/render/plot/statistics/layout'
 import { digitsFor } from '../src/rooms/compare/statistics/words'
 import { exactly, number, percent } from '../src/text/number'
 import { violations } from './support/axe'
-import { download, finished, keep, openBatch, seeds } from './support/batch'
+import { budget, download, finished, keep, openBatch, seeds } from './support/batch'
 import { trialOf } from './support/core'
 import { en, expect, test } from './support/lab'
 
@@ -69,9 +70,9 @@ test('a batch that is stopped keeps its rows; it goes on to the same file that i
 
   // It goes on while something else is looked at.
   await page.getByTestId('batch-run').click()
-  await page.getByTestId('view-stage').click()
+  await page.getByTestId('view-lab').click()
   await expect(lab.stage).toBeVisible()
-  await page.getByTestId('view-batch').click()
+  await page.getByTestId('view-compare').click()
   await finished(page, 80)
 
   const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
@@ -97,7 +98,7 @@ test('the same planner takes part twice, with other parameters; the files name t
   await openBatch(lab)
   await keep(page, ['pso'])
   await page.getByTestId('entrant-copy').click()
-  await expect(page.getByTestId('entrant').nth(1)).toContainText(text.entrants.double)
+  await expect(page.getByTestId('entrant').nth(1)).toContainText(plan.entrants.double)
 
   await page.getByTestId('entrant-parameters').nth(1).click()
   const dialog = page.getByTestId('entrant-dialog')
@@ -111,7 +112,7 @@ test('the same planner takes part twice, with other parameters; the files name t
   await expect(dialog.getByRole('alert')).toHaveCount(0)
   await dialog.getByTestId('entrant-done').click()
   await expect(page.getByTestId('entrant').nth(1)).toContainText('w = 0.5')
-  await page.getByTestId('batch-iterations').fill('40')
+  await budget(page, 6150)
   await seeds(page, 3)
   await page.getByTestId('batch-run').click()
   await finished(page, 6)
@@ -148,7 +149,7 @@ test('the outlier is found by sorting and opened on the stage; a dot opens its r
   await expect(page.getByTestId('notice')).toHaveCount(0)
 
   // Back, all is as it was, and the run that was looked at has the focus.
-  await page.getByTestId('view-batch').click()
+  await page.getByTestId('view-compare').click()
   await expect(page.getByTestId('batch-row').first().getByRole('button')).toBeFocused()
 
   const plot = page.getByTestId('batch-boxes')
@@ -176,8 +177,8 @@ test('the batch takes the planner as it is set up on the stage, and its edited s
   await x.fill('4.5')
   await x.press('Enter')
   await lab.restarted()
-  await page.getByTestId('view-batch').click()
-  await expect(page.getByTestId('batch-scene')).toHaveValue(':stage')
+  await page.getByTestId('view-compare').click()
+  await expect(page.getByTestId('compare-scene')).toHaveValue(':stage')
   await keep(page, ['cpso'])
   await seeds(page, 2)
   await page.getByTestId('batch-run').click()
@@ -192,34 +193,34 @@ test('what is refused is told beside its field, and nothing that was typed is lo
   await openBatch(lab)
   await page.getByTestId('batch-count').fill('1')
   await page.getByTestId('batch-count').press('Enter')
-  const message = text.fields.whole(text.plan.count, '1', '2', exactly(1000))
+  const message = plan.fields.whole(plan.plan.count, '1', '2', exactly(1000))
   await expect(page.getByText(message)).toBeVisible()
   await page.getByTestId('batch-run').click()
   await expect(page.getByTestId('batch-count')).toBeFocused()
   await expect(page.getByText(text.run.faulty)).toBeVisible()
-  await page.getByTestId('view-stage').click()
-  await page.getByTestId('view-batch').click()
+  await page.getByTestId('view-lab').click()
+  await page.getByTestId('view-compare').click()
   await expect(page.getByTestId('batch-count')).toHaveValue('1')
   await expect(page.getByText(message)).toBeVisible()
   await seeds(page, 2)
   await expect(page.getByText(message)).toHaveCount(0)
 
   // Planners that don't run on another scene wait for their return.
-  await page.getByTestId('batch-scene').selectOption('open-12')
+  await page.getByTestId('compare-scene').selectOption('open-12')
   await expect(page.getByTestId('entrant').filter({ hasText: /left out/ })).toHaveCount(4)
   await page.getByTestId('batch-run').click()
   await expect(page.getByText(text.run.nothing)).toBeVisible()
-  await page.getByTestId('batch-scene').selectOption(SCENE)
+  await page.getByTestId('compare-scene').selectOption(SCENE)
   await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-total', '8')
 })
 
 test('runs without a feasible result are shown and counted, not left out', async ({ lab, page }) => {
   await openBatch(lab)
   await keep(page, [])
-  await page.getByTestId('batch-scene').selectOption(SCENE)
-  await page.getByTestId('batch-adds').selectOption('rrt')
-  await page.getByTestId('batch-add').click()
-  await page.getByTestId('batch-iterations').fill('600')
+  await page.getByTestId('compare-scene').selectOption(SCENE)
+  await page.getByTestId('compare-adds').selectOption('rrt')
+  await page.getByTestId('compare-add').click()
+  await budget(page, 600)
   await seeds(page, 12)
   await page.getByTestId('batch-run').click()
   await finished(page, 12)
@@ -264,10 +265,10 @@ test('planners with optima of their own are compared by value, and what is deter
 
   await openBatch(lab)
   await keep(page, [])
-  await page.getByTestId('batch-scene').selectOption(scene)
+  await page.getByTestId('compare-scene').selectOption(scene)
   for (const planner of ['a-star', 'theta-star']) {
-    await page.getByTestId('batch-adds').selectOption(planner)
-    await page.getByTestId('batch-add').click()
+    await page.getByTestId('compare-adds').selectOption(planner)
+    await page.getByTestId('compare-add').click()
   }
   await seeds(page, 3)
   await page.getByTestId('batch-run').click()
@@ -290,17 +291,18 @@ test('planners with optima of their own are compared by value, and what is deter
 
   // Beside one that does draw lots there is still nothing to test; two of them are corrected for their pair only.
   for (const planner of ['aco', 'aco-wolf']) {
-    await page.getByTestId('batch-adds').selectOption(planner)
-    await page.getByTestId('batch-add').click()
+    await page.getByTestId('compare-adds').selectOption(planner)
+    await page.getByTestId('compare-add').click()
   }
-  await page.getByTestId('batch-iterations').fill('10')
-  await page.getByTestId('batch-iterations').press('Enter')
+  // As many evaluations as A* takes: 8 and 14 iterations of so many ants.
+  await expect(page.getByTestId('batch-budget')).toHaveValue('400')
+  const iterations: Readonly<Record<string, number>> = { aco: 8, 'aco-wolf': 14 }
   await page.getByTestId('batch-run').click()
   await finished(page, 12)
   const colonies = compare(
     ['aco', 'aco-wolf'].map((name) => ({
       name,
-      values: [1, 2, 3].map((seed) => trialOf({ planner: name, scene, seed, params: { iterations: 10 } }).record.value),
+      values: [1, 2, 3].map((seed) => trialOf({ planner: name, scene, seed, params: { iterations: iterations[name] ?? 0 } }).record.value),
     })),
   )
   await expect(pair).toHaveCount(6)
@@ -315,7 +317,7 @@ test('the charts over evaluations are read with the keyboard', async ({ lab, pag
   await openBatch(lab)
   await keep(page, ['wcpso', 'cpso'])
   await seeds(page, 3)
-  await page.getByTestId('batch-iterations').fill('30')
+  await budget(page, 4650)
   await page.getByTestId('batch-run').click()
   await finished(page, 6)
   for (const id of ['batch-bands', 'batch-reached']) {
@@ -342,13 +344,10 @@ test('long runs of a plan that was left make room for those of the new one', asy
   await openBatch(lab)
   await keep(page, ['pso'])
   await seeds(page, 2)
-  const iterations = page.getByTestId('batch-iterations')
-  await iterations.fill('1000000')
-  await iterations.press('Enter')
+  await budget(page, 100_000_000)
   await page.getByTestId('batch-run').click()
   await expect(page.getByTestId('batch-stop')).toBeVisible()
-  await iterations.fill('20')
-  await iterations.press('Enter')
+  await budget(page, 3150)
   await finished(page, 2)
   const row = page.locator('[data-testid=batch-row][data-seed="2"]')
   await expect(row).toHaveAttribute('data-hash', recordsOf(['pso'], 2, { iterations: 20 })[0]?.[1]?.hash ?? '')
@@ -356,13 +355,13 @@ test('long runs of a plan that was left make room for those of the new one', asy
 
 test('each seed has a random map of its own; runs are compared by their gaps, and open on their map', async ({ lab, page }) => {
   await openBatch(lab)
-  await page.getByTestId('batch-scene').selectOption(':maps rooms')
-  await expect(page.getByText(text.plan.mapsHelp)).toBeVisible()
+  await page.getByTestId('compare-scene').selectOption(':maps rooms')
+  await expect(page.getByText(plan.plan.mapsHelp)).toBeVisible()
   for (const name of ['wcpso', 'pso', 'wpso', 'cpso'])
     await page.locator(`[data-testid=entrant][data-planner=${name}]`).getByTestId('entrant-remove').click()
   for (const name of ['aco-wolf', 'a-star']) {
-    await page.getByTestId('batch-adds').selectOption(name)
-    await page.getByTestId('batch-add').click()
+    await page.getByTestId('compare-adds').selectOption(name)
+    await page.getByTestId('compare-add').click()
   }
   await seeds(page, 4)
   await page.getByTestId('batch-run').click()

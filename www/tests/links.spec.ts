@@ -86,7 +86,7 @@ test('the link can be copied', async ({ lab, page, context }) => {
 test('a view has an address that outlasts a reload, and the browser goes back to the run', async ({ lab, page }) => {
   await lab.open(linkTo({ seed: 7 }, 30))
   const hash = await lab.settled(30)
-  await page.getByTestId('view-race').click()
+  await page.getByTestId('view-compare').click()
   await expect(page).toHaveURL(/#view=race/)
   await expect(page.getByTestId('race')).toBeVisible()
   await page.getByTestId('view-papers').click()
@@ -175,7 +175,7 @@ test('a race has an address: its scene, seed, lanes and time; it can be copied, 
   if (scene.kind !== 'discs') throw new Error(scene.kind)
   await lab.dragFrom(await lab.whereIs(scene, scene.discs[2]?.center ?? [0, 0]), -30, 60)
   await lab.settled()
-  await page.getByTestId('view-race').click()
+  await page.getByTestId('view-compare').click()
   const race = new Race(page)
   await expect(race.root).toHaveAttribute('data-still', 'true')
   const before = await race.seek(3000)

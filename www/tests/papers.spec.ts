@@ -23,7 +23,7 @@ const { papers, claims } = claimsOf(claimed, CLAIMS)
 async function open(lab: Lab): Promise<void> {
   await lab.open('#view=papers')
   await expect(lab.page.getByTestId('claim-W1')).toBeVisible()
-  await expect(lab.page.getByTestId('view-stage')).toBeVisible()
+  await expect(lab.page.getByTestId('view-lab')).toBeVisible()
 }
 
 /** A claim with its questions. */
@@ -156,8 +156,8 @@ test('the runs of a question open in the stage, as a batch and as a race, with i
   const line = claim.getByTestId('question').first()
   await expect(line.getByTestId('open-run')).toHaveText(['wcpso', /^wcpso, c1_law linear/])
   await line.getByTestId('open-run').last().click()
-  await expect(page.getByTestId('view-stage')).toHaveAttribute('aria-current', 'page')
-  await expect(page.getByTestId('view-stage')).toBeFocused()
+  await expect(page.getByTestId('view-lab')).toHaveAttribute('aria-current', 'page')
+  await expect(page.getByTestId('view-lab')).toBeFocused()
   const params = { perturb: false, w_law: 'linear', c1_law: 'linear', c2_law: 'linear' }
   const link = parseLink(await lab.link(await lab.settled(0)))
   expect({ planner: link.planner, scene: link.scene.name, params: link.params, seed: link.seed }).toEqual({
@@ -167,8 +167,8 @@ test('the runs of a question open in the stage, as a batch and as a race, with i
     seed: 51,
   })
   await page.getByTestId('view-papers').click()
-  await (await openClaim(lab, 'O1a')).getByTestId('open-batch').click()
-  await expect(page.getByTestId('view-batch')).toHaveAttribute('aria-current', 'page')
+  await (await openClaim(lab, 'O1a')).getByTestId('open-statistics').click()
+  await expect(page.getByTestId('view-compare')).toHaveAttribute('aria-current', 'page')
   await expect(page.getByTestId('batch-from')).toHaveValue('51')
   await expect(page.getByTestId('batch-count')).toHaveValue('100')
   await page.getByTestId('batch-count').fill('2')
@@ -180,8 +180,8 @@ test('the runs of a question open in the stage, as a batch and as a race, with i
     await expect(page.locator(`[data-testid=batch-row][data-seed="${seed}"]`)).toHaveAttribute('data-hash', hash)
   }
   await page.getByTestId('view-papers').click()
-  await (await openClaim(lab, 'L2a')).getByTestId('open-race').first().click()
-  await expect(page.getByTestId('view-race')).toHaveAttribute('aria-current', 'page')
+  await (await openClaim(lab, 'L2a')).getByTestId('open-watch').first().click()
+  await expect(page.getByTestId('view-compare')).toHaveAttribute('aria-current', 'page')
   const race = new Race(page)
   await expect(race.lanes).toHaveCount(2)
   for (const { planner, iteration, hash } of await race.standings())

@@ -1,8 +1,11 @@
+import { compare as plan } from '../src/locales/en/compare'
 import { race as text } from '../src/locales/en/race'
+import { exactly } from '../src/text/number'
 import { catalogue } from '../../pkg/node.js'
 import { violations } from './support/axe'
 import { linkTo, trialOf, verified } from './support/core'
 import { expect, test } from './support/lab'
+import { finished, seeds } from './support/batch'
 import { coreAt, Race } from './support/race'
 
 const SWARMS = ['pso', 'wpso', 'cpso', 'wcpso']
@@ -43,11 +46,12 @@ test.describe('without motion', () => {
   }) => {
     const race = new Race(page)
     await race.open(lab, 'quantum')
-    await page.getByTestId('race-scene').selectOption('wcpso-discs')
+    await page.getByTestId('compare-scene').selectOption('wcpso-discs')
     await race.still()
-    await page.getByTestId('lane-planner').nth(0).selectOption('rrt-connect')
-    await race.still()
-    await page.getByTestId('lane-planner').nth(1).selectOption('pso')
+    await race.remove('ltqpso')
+    await race.remove('qpso')
+    await race.add('rrt-connect')
+    await race.add('pso')
     await race.still()
     const both = (clock: number) => ['rrt-connect', 'pso'].map((planner) => coreAt({ planner }, clock))
     expect(await race.seek(30)).toEqual(both(30))
@@ -70,7 +74,7 @@ test.describe('without motion', () => {
     expect(await lab.settled(before[2]?.iteration)).toBe(before[2]?.hash)
     await expect(page.getByTestId('planner')).toHaveValue('cpso')
     expect(verified(await lab.link(before[2]?.hash ?? ''))).toMatchObject({ planner: 'cpso', seed: 1, iteration: 39 })
-    await page.getByTestId('view-race').click()
+    await page.getByTestId('view-compare').click()
     expect(await race.at(6000)).toEqual(before)
   })
 
@@ -78,9 +82,9 @@ test.describe('without motion', () => {
     const race = new Race(page)
     await lab.open(linkTo({ planner: 'cpso', scene: 'discs-gate', seed: 9, params: { population: 40 } }, 5))
     await lab.settled(5)
-    await page.getByTestId('view-race').click()
-    await expect(page.getByTestId('race-scene')).toHaveValue('discs-gate')
-    await expect(page.getByTestId('race-seed')).toHaveValue('9')
+    await page.getByTestId('view-compare').click()
+    await expect(page.getByTestId('compare-scene')).toHaveValue('discs-gate')
+    await expect(page.getByTestId('batch-from')).toHaveValue('9')
     const [first] = await race.seek(2000)
     expect(first).toEqual(coreAt({ planner: 'cpso', scene: 'discs-gate', seed: 9, params: { population: 40 } }, 2000))
   })
@@ -89,16 +93,16 @@ test.describe('without motion', () => {
     const race = new Race(page)
     await race.open(lab, 'swarms')
     const before = await race.seek(3000)
-    const seed = page.getByTestId('race-seed')
+    const seed = page.getByTestId('batch-from')
     await seed.fill('-4')
     await seed.press('Enter')
-    await expect(page.getByTestId('race-seed-error')).toHaveText(text.seedWrong('-4'))
+    await expect(page.getByText(plan.fields.whole(plan.plan.seed, '-4', '0', exactly(Number.MAX_SAFE_INTEGER - 1000)))).toBeVisible()
     await expect(seed).toHaveAttribute('aria-invalid', 'true')
     const notch = page.getByTestId('race-notch')
     await notch.fill('0.5')
     await notch.press('Enter')
     await expect(page.getByTestId('race-notch-error')).toHaveText(text.notchWrong('0.5'))
-    await race.lanes.nth(0).getByTestId('lane-parameters').click()
+    await page.getByTestId('entrant-parameters').nth(0).click()
     const population = page.locator('[data-parameter="population"]')
     await population.getByRole('textbox').fill('0')
     await population.getByRole('textbox').press('Enter')
@@ -106,17 +110,18 @@ test.describe('without motion', () => {
     await expect(population.getByRole('textbox')).toHaveValue('0')
     await page.keyboard.press('Escape')
     expect(await race.at(3000)).toEqual(before)
-    await expect(race.lanes.nth(0).getByTestId('lane-parameters')).toHaveText(text.lane.parameters)
 
-    // What is allowed counts, for that racer alone: it goes where the others are.
-    await race.lanes.nth(0).getByTestId('lane-parameters').click()
+    // What is allowed counts, for that planner alone: it goes where the others are. All have its budget now: 40 + 500 × 40.
+    await page.getByTestId('entrant-parameters').nth(1).click()
     await population.getByRole('textbox').fill('40')
     await population.getByRole('textbox').press('Enter')
     await expect(population.getByRole('alert')).toHaveCount(0)
     await page.keyboard.press('Escape')
-    await expect(race.lanes.nth(0).getByTestId('lane-parameters')).toContainText(text.lane.changed(1))
-    await expect(race.lanes.nth(0)).toHaveAttribute('data-evaluations', '3000')
-    expect(await race.at(3000)).toEqual([coreAt({ planner: 'pso', params: { population: 40 } }, 3000), ...before.slice(1)])
+    await expect(page.getByTestId('entrant').nth(1)).toContainText('population = 40')
+    await expect(race.lanes.nth(1)).toHaveAttribute('data-evaluations', '3000')
+    const iterations = Math.ceil((75_150 - 40) / 40)
+    const changed = coreAt({ planner: 'wpso', params: { population: 40, iterations } }, 3000)
+    expect(await race.at(3000)).toEqual([before[0], changed, before[2], before[3]])
     await notch.fill('1000')
     await notch.press('Enter')
     await expect(page.getByTestId('race-notch-error')).toHaveCount(0)
@@ -128,49 +133,61 @@ test.describe('without motion', () => {
     expect((await race.seek(3000))[3]).toEqual(coreAt({ planner: 'wcpso', seed: 12 }, 3000))
   })
 
-  test('another scene keeps whoever runs on it, and says who had to leave', async ({ lab, page }) => {
+  test('a budget ends all of them, and the same budget in statistics ends in the same states', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'swarms')
+    await race.add('qpso')
+    await page.getByTestId('batch-budget').fill('4000')
+    await page.getByTestId('batch-budget').press('Enter')
+    await page.getByTestId('race-end').click()
+    await expect(race.root).toHaveAttribute('data-over', 'true')
+    const ends = await race.at(4000)
+    for (const { evaluations, planner } of ends) expect(evaluations, planner).toBeGreaterThanOrEqual(4000)
+    await page.getByRole('radio', { name: plan.as.titles.statistics, exact: true }).check({ force: true })
+    await seeds(page, 2)
+    await page.getByTestId('batch-run').click()
+    await finished(page, 10)
+    for (const { planner, hash } of ends)
+      await expect(page.locator(`[data-testid=batch-row][data-planner=${planner}][data-seed="1"]`)).toHaveAttribute('data-hash', hash)
+  })
+
+  test('another scene leaves out whoever does not run on it; where nobody does, others come', async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'trees')
-    await page.getByTestId('race-scene').selectOption('ant-bat-30')
+    await page.getByTestId('compare-scene').selectOption('ant-bat-30')
     await race.still()
+    await race.add('aco')
+    await expect(race.lanes).toHaveCount(4)
+    await page.getByTestId('compare-scene').selectOption('arm-cuboid')
+    await race.still()
+    await expect(page.getByTestId('entrant').filter({ hasText: /left out/ })).toHaveCount(1)
     await expect(race.lanes).toHaveCount(3)
-    await page.getByTestId('lane-planner').nth(0).selectOption('aco')
+    await page.getByTestId('compare-scene').selectOption('sphere')
+    await expect(page.getByTestId('compare-notice')).toHaveText(plan.replaced('Sphere'))
     await race.still()
-    await page.getByTestId('race-scene').selectOption('arm-cuboid')
-    await race.still()
-    await expect(page.getByTestId('race-notice')).toContainText('ACO: ants does not run')
-    await expect(race.lanes).toHaveCount(2)
-    await page.getByTestId('race-add').click()
-    await expect(race.lanes).toHaveCount(3)
-    await race.still()
-    await page.getByRole('button', { name: text.lane.remove('A'), exact: true }).click()
-    await expect(race.lanes).toHaveCount(2)
-    // A race needs two.
-    await expect(page.getByRole('button', { name: text.lane.remove('A'), exact: true })).toHaveCount(0)
+    await expect(page.getByTestId('entrant').filter({ hasText: /left out/ })).toHaveCount(0)
   })
 
   test('ways and tours don’t race each other', async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'ants')
-    await page.getByRole('radio', { name: text.tasks.tour, exact: true }).check({ force: true })
+    await page.getByRole('radio', { name: plan.plan.tasks.tour, exact: true }).check({ force: true })
     await race.still()
     const { planners } = catalogue()
     const titles = planners.filter(({ stops, kinds }) => stops && kinds.includes('grid')).map(({ title }) => title)
-    await expect(page.getByTestId('lane-planner').first().locator('option')).toHaveText(titles)
+    await expect(page.getByTestId('compare-adds').locator('option')).toHaveText(titles)
     // No tour before all roads are built.
     await page.getByTestId('race-forward').click()
     await expect(race.root).toHaveAttribute('data-still', 'true', { timeout: 30_000 })
     await expect(race.lanes.first().getByTestId('lane-best')).toContainText('cells')
   })
 
-  test('a notch that takes long can be called off: all stand where they were', async ({ lab, page }) => {
+  test('a tick that takes long can be called off: all stand where they were', async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'trees')
-    await race.lanes.nth(2).getByTestId('lane-parameters').click()
-    const iterations = page.locator('[data-parameter="iterations"]').getByRole('textbox')
-    await iterations.fill('200000')
-    await iterations.press('Enter')
-    await page.keyboard.press('Escape')
+    await page.getByTestId('batch-budget').fill('200000')
+    await page.getByTestId('batch-budget').press('Enter')
+    await race.still()
     const before = await race.seek(40)
     await page.getByTestId('race-notch').fill('1000000')
     await page.getByTestId('race-notch').press('Enter')
@@ -183,9 +200,7 @@ test.describe('without motion', () => {
     await page.getByTestId('race-notch').press('Enter')
     await race.step('race-forward')
     expect(await race.at(140)).toEqual(
-      [{ planner: 'rrt' }, { planner: 'rrt-connect' }, { planner: 'rrt-star', params: { iterations: 200_000 } }].map((setup) =>
-        coreAt(setup, 140),
-      ),
+      ['rrt', 'rrt-connect', 'rrt-star'].map((planner) => coreAt({ planner, params: { iterations: 200_000 } }, 140)),
     )
   })
 
@@ -213,7 +228,7 @@ test.describe('without motion', () => {
     await race.at(75_150)
 
     // What is typed into a field moves nothing.
-    await page.getByTestId('race-seed').focus()
+    await page.getByTestId('batch-from').focus()
     await page.keyboard.press('Home')
     await page.keyboard.press('ArrowLeft')
     await page.keyboard.type(' ')
@@ -224,7 +239,7 @@ test.describe('without motion', () => {
     await race.at(150)
     await page.keyboard.press('ArrowRight')
     expect(await race.at(300)).toEqual(swarmsAt(300))
-    await expect(chart).toHaveAttribute('aria-valuetext', /^At 300 evaluations: A /)
+    await expect(chart).toHaveAttribute('aria-valuetext', /^At 300 evaluations: PSO /)
   })
 
   test('all lanes are seen alike, and each has a picture of its own', async ({ lab, page }) => {
@@ -284,15 +299,15 @@ test.describe('without motion', () => {
           const race = new Race(page)
           await race.open(lab, 'swarms')
           await race.seek(3000)
-          await page.getByTestId('race-seed').fill('x')
-          await page.getByTestId('race-seed').press('Enter')
-          await expect(page.getByTestId('race-seed-error')).toBeVisible()
+          await page.getByTestId('batch-from').fill('x')
+          await page.getByTestId('batch-from').press('Enter')
+          await expect(page.getByTestId('batch-from')).toHaveAttribute('aria-invalid', 'true')
           expect(await violations(lab)).toEqual([])
           expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
           await race.choose('arm')
           expect(await violations(lab)).toEqual([])
-          await race.lanes.nth(0).getByTestId('lane-parameters').click()
-          await expect(page.getByTestId('lane-dialog')).toBeVisible()
+          await page.getByTestId('entrant-parameters').first().click()
+          await expect(page.getByTestId('entrant-dialog')).toBeVisible()
           expect(await violations(lab)).toEqual([])
           expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
         })
@@ -306,9 +321,9 @@ test('a ready-made race begins by itself, stops when it is left, and is found ag
   await race.open(lab)
   await page.getByTestId('ready-swarms').click()
   await expect.poll(() => race.clock()).toBeGreaterThan(900)
-  await page.getByTestId('view-stage').click()
+  await page.getByTestId('view-lab').click()
   await expect(lab.stage).toBeVisible()
-  await page.getByTestId('view-race').click()
+  await page.getByTestId('view-compare').click()
   const left = await race.standings()
   expect(left).toEqual(swarmsAt(await race.clock()))
   const speed = page.getByTestId('race-speed')
@@ -372,19 +387,19 @@ test.describe('a start that takes long', () => {
   test('gives way to a newer parameter of the same racer', async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'tours')
-    await page.getByTestId('race-scene').selectOption('random-280')
+    await page.getByTestId('compare-scene').selectOption('random-280')
     await race.still()
-    await page.getByTestId('lane-planner').nth(0).selectOption('bat')
-    await race.still()
-    await race.lanes.nth(0).getByTestId('lane-parameters').click()
+    await page.getByTestId('entrant-parameters').first().click()
     const population = page.locator('[data-parameter="population"]').getByRole('textbox')
     // To begin takes half a minute.
     await population.fill('50000')
     await population.press('Enter')
+    await expect(page.getByTestId('entrant').first()).toContainText('population = 50000')
     await population.fill('7')
     await population.press('Enter')
-    await expect(race.lanes.nth(0).getByTestId('lane-parameters')).toContainText(text.lane.changed(1))
+    await expect(page.getByTestId('entrant').first()).toContainText('population = 7')
     await page.keyboard.press('Escape')
+    await race.still()
     const [first] = await race.seek(3000)
     expect(first).toEqual(coreAt({ planner: 'bat', scene: 'random-280', params: { population: 7 } }, 3000))
   })

@@ -63,6 +63,12 @@ impl Trial {
         self.0.run().iteration() as f64
     }
 
+    /// How many candidates were evaluated so far.
+    #[wasm_bindgen(getter)]
+    pub fn evaluations(&mut self) -> f64 {
+        self.0.run().evaluations() as f64
+    }
+
     /// The iteration at which the run ends at the latest.
     #[wasm_bindgen(getter)]
     pub fn limit(&mut self) -> f64 {

@@ -28,6 +28,8 @@ export interface Errand {
   setup: UncheckedSetup
   /** Where the seed's scene comes from, instead of the setup's. */
   maps: Maps | null
+  /** It ends with the step that brings it to so many evaluations, if not before. */
+  budget: number | null
 }
 
 /** How a run ended: over, refused before it began, broken off, or with the core. */

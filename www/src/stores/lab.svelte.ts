@@ -2,6 +2,7 @@ import type { Progress, Report } from '../engine/protocol'
 import { Requests } from '../engine/requests'
 import { RunClient } from '../engine/run-client'
 import { Awaited } from './awaited.svelte'
+import type { Standard } from '../catalogue/standard'
 import { host } from '../engine/host'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
@@ -29,13 +30,6 @@ export interface Address {
   readonly watched: boolean
   /** The newest link of the run: at once where it stays, seldom while it plays. */
   write(link: string, when: 'now' | 'soon'): void
-}
-
-/** A planner, a scene that ships, and a seed. */
-export interface Standard {
-  planner: string
-  scene: string
-  seed: number
 }
 
 /** One run and all that is known and wanted of it: stores of one subject each, and what connects them. */

@@ -7,7 +7,7 @@ import { type Address, Lab } from './lab.svelte'
 import { Theme } from './theme.svelte'
 
 /** A run that has no address. */
-const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
+const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1, params: {} }
 const nowhere: Address = { first: null, watched: true, write: () => undefined }
 
 /** The page's state with a worker that answers by hand, at rest at iteration 0. */

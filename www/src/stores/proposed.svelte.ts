@@ -6,25 +6,21 @@ export interface Contender {
   params: Record<string, ParameterValue>
 }
 
-interface Proposal {
+/** How a comparison is looked at: side by side, or by many runs. */
+export const SIGHTS = ['watch', 'statistics'] as const
+export type Sight = (typeof SIGHTS)[number]
+
+export interface ProposedComparison {
+  as: Sight
   /** A scene that ships, by its name. */
   scene: string
   planners: readonly Contender[]
-}
-
-export interface ProposedBatch extends Proposal {
   seeds: { from: number; count: number }
 }
 
-/** Two to four planners. */
-export interface ProposedRace extends Proposal {
-  seed: number
-}
-
-/** What one view asks another to set up: whoever opens takes it and puts null in its place. */
+/** What one room asks another to set up: whoever opens takes it and puts null in its place. */
 class Proposed {
-  batch = $state.raw<ProposedBatch | null>(null)
-  race = $state.raw<ProposedRace | null>(null)
+  comparison = $state.raw<ProposedComparison | null>(null)
 }
 
 export const proposed = new Proposed()

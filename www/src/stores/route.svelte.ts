@@ -1,26 +1,39 @@
 import { shortened } from './large-links'
 
-/** What the page shows: one run, many, some beside each other, or what was published. */
-export const VIEWS = ['stage', 'batch', 'race', 'papers'] as const
+/** The rooms: where a newcomer begins, one run, several compared, what was published. */
+export const VIEWS = ['learn', 'lab', 'compare', 'papers'] as const
 export type View = (typeof VIEWS)[number]
+
+/** Older addresses, and what they were of in today's words. */
+const HEIRS: Readonly<Record<string, readonly [View, string]>> = {
+  stage: ['lab', ''],
+  race: ['compare', '&as=watch&budget=own'],
+  batch: ['compare', '&as=statistics&budget=own'],
+}
 
 const PREFIX = '#view='
 /** While a run plays, its link is written seldom, in milliseconds. Browsers count how often an address changes: a burst of edits is written once. */
 const INTERVAL = 3000
 const LEAST = 300
 
-/** The view that an address is of, and what it says of it: `#view=race&seed=3`. Others are links of runs. */
+/** The view that an address is of, and what it says of it: `#view=compare&seeds=3-9`. Others are links of runs. */
 function placeOf(hash: string): { view: View; keys: string } | undefined {
   const [name = '', ...rest] = hash.startsWith(PREFIX) ? hash.slice(PREFIX.length).split('&') : []
+  const keys = rest.map((pair) => `&${pair}`).join('')
+  const [heir, meant] = HEIRS[name] ?? []
+  if (heir) return { view: heir, keys: meant + keys }
   const view = VIEWS.find((known) => known === name)
-  return view && { view, keys: rest.map((pair) => `&${pair}`).join('') }
+  return view && { view, keys }
 }
+
+/** Without an address the page is for those who do not know it yet; a run's link is the lab's. */
+const viewOf = (hash: string): View => placeOf(hash)?.view ?? (hash.length > 1 ? 'lab' : 'learn')
 
 const wishOf = (keys: string): { readonly keys: string; taken: boolean } => ({ keys, taken: keys === '' })
 
 /** What is shown, and its address. Nothing else writes the address. */
 class Route {
-  view = $state<View>(placeOf(location.hash)?.view ?? 'stage')
+  view = $state<View>(viewOf(location.hash))
   /** What the address wants of the view that it is of: taken by the view. */
   private wanted = $state.raw(wishOf(placeOf(location.hash)?.keys ?? ''))
   /** How each view stands, as keys. */
@@ -40,7 +53,7 @@ class Route {
 
   /** The run is what is looked at. */
   get watched(): boolean {
-    return this.view === 'stage'
+    return this.view === 'lab' || this.view === 'learn'
   }
 
   /** The address of what is shown, as it is now. */
@@ -60,7 +73,7 @@ class Route {
   /** The run's link: at once where it stays, seldom while it plays. */
   write(link: string, when: 'now' | 'soon'): void {
     this.link = shortened(link)
-    if (this.view === 'stage') this.replaceWhen(when)
+    if (this.view === 'lab') this.replaceWhen(when)
   }
 
   /** How a view stands, as keys of its address. */
@@ -87,7 +100,7 @@ class Route {
   }
 
   private get address(): string {
-    if (this.view !== 'stage') return PREFIX + this.view + (this.standing.get(this.view) ?? '')
+    if (this.view !== 'lab') return PREFIX + this.view + (this.standing.get(this.view) ?? '')
     return this.link === '' ? '' : this.link + this.added
   }
 
@@ -113,7 +126,7 @@ class Route {
   /** The address is another one: by the browser's buttons, or because somebody wrote it. Returns the link that is to be opened. */
   follow(hash: string): string | null {
     const place = placeOf(hash)
-    this.view = place?.view ?? 'stage'
+    this.view = viewOf(hash)
     if (place) {
       const known = place.keys === '' || place.keys === this.standing.get(place.view)
       this.wanted = wishOf(known ? '' : place.keys)

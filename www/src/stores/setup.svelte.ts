@@ -1,9 +1,11 @@
 import type { Catalogue, LinkSetup, ParameterValue, Planner, Scene, UncheckedSetup, When } from 'forage-lab'
 import { meaningful, met } from '../catalogue/parameters'
+import { STANDARD, type Standard } from '../catalogue/standard'
 import type { Questions } from '../engine/host/questions'
 import type { Opening } from '../engine/protocol'
 import type { Requests } from '../engine/requests'
 import { en } from '../locales/en/page'
+import { sameParams, sameScene } from '../scene/equality'
 import { suits } from '../scene/stops'
 import type { Awaited } from './awaited.svelte'
 import type { NoticesStore } from './notices.svelte'
@@ -57,10 +59,20 @@ export class SetupStore {
   }
 
   /** What is shown where nothing else is asked for. */
-  begin({ planner, scene, seed }: { planner: string; scene: string; seed: number }): void {
+  begin({ planner, scene, seed, params }: Standard): void {
     this.plannerName = planner
+    this.parameters.replace({ ...params })
     this.seed = seed
     this.scene.put(this.shipped(scene), false)
+  }
+
+  /** Nothing was changed since it was shown first. */
+  get isStandard(): boolean {
+    const { planner, scene, params } = STANDARD
+    const shown = this.scene.present
+    return (
+      this.plannerName === planner && shown !== null && sameScene(shown, this.shipped(scene)) && sameParams(params, this.parameters.values)
+    )
   }
 
   /** As the engine takes it, on this scene. */

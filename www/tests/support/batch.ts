@@ -5,9 +5,9 @@ import { expect, type Lab } from './lab'
 
 /* A batch as somebody sets it up. */
 
-/** Opens the view; the plan then holds the first four swarms. */
+/** Opens the room; the plan then holds the four swarms. */
 export async function openBatch(lab: Lab): Promise<void> {
-  await lab.open('#view=batch')
+  await lab.open('#view=compare&as=statistics')
   await expect(lab.page.getByTestId('entrant')).toHaveCount(4)
 }
 
@@ -22,6 +22,12 @@ export async function keep(page: Page, planners: readonly string[]): Promise<voi
 export async function seeds(page: Page, count: number): Promise<void> {
   await page.getByTestId('batch-count').fill(String(count))
   await page.getByTestId('batch-count').press('Enter')
+}
+
+/** So many evaluations for all. */
+export async function budget(page: Page, evaluations: number): Promise<void> {
+  await page.getByTestId('batch-budget').fill(String(evaluations))
+  await page.getByTestId('batch-budget').press('Enter')
 }
 
 export async function finished(page: Page, runs: number): Promise<void> {

@@ -13,6 +13,9 @@ export const HASH = /^[0-9a-f]{16}$/
 /** Without a graphics card the browser reads back what WebGL draws, and says that this takes its time; the tests keep workers out. */
 const DRIVER = /GL Driver Message .*GPU stall due to ReadPixels|Service Worker registration blocked by Playwright/
 
+/** A run in the lab: what a test begins with that says nothing else. */
+export const FIRST = '#v=1&planner=wcpso&scene=wcpso-discs&seed=1&at=0'
+
 /** The page as somebody uses it. */
 export class Lab {
   readonly root: Locator
@@ -26,7 +29,7 @@ export class Lab {
   }
 
   /** Opens the page, or a link of it, and waits for the first picture. */
-  async open(link = ''): Promise<void> {
+  async open(link = FIRST): Promise<void> {
     await this.page.goto(SITE + link)
     await expect(this.root).toHaveAttribute('data-phase', 'ready')
     await expect(this.root).not.toHaveAttribute('data-limit', '0')

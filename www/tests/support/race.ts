@@ -25,13 +25,26 @@ export class Race {
   }
 
   async open(lab: Lab, ready?: string): Promise<void> {
-    await lab.open('#view=race')
+    await lab.open('#view=compare&as=watch')
     await expect(this.root).toHaveAttribute('data-still', 'true')
     if (ready !== undefined) await this.choose(ready)
   }
 
   async choose(ready: string): Promise<void> {
     await this.page.getByTestId(`ready-${ready}`).click()
+    await this.still()
+  }
+
+  async add(planner: string): Promise<void> {
+    await this.page.getByTestId('compare-adds').selectOption(planner)
+    await this.page.getByTestId('compare-add').click()
+    await expect(this.page.locator(`[data-testid=lane][data-planner=${planner}]`)).toHaveCount(1)
+    await this.still()
+  }
+
+  async remove(planner: string): Promise<void> {
+    await this.page.locator(`[data-testid=entrant][data-planner=${planner}]`).getByTestId('entrant-remove').click()
+    await expect(this.page.locator(`[data-testid=lane][data-planner=${planner}]`)).toHaveCount(0)
     await this.still()
   }
 

@@ -26,13 +26,25 @@ function refusedBy(error: unknown): Refusal {
   return refusal
 }
 
+/** Up to `pace` steps or, with a budget, parts of them; whether the run is over. */
+function advance(trial: Trial, pace: number, budget: number | null): boolean {
+  for (let left = pace; left > 0; left -= 1) {
+    const status = trial.advance(budget === null ? pace : 1)
+    if (status !== 'running' && status !== 'partly') return true
+    if (budget === null) return false
+    // Within a step a planner may count what it has not evaluated yet.
+    if (status === 'running' && trial.evaluations >= budget) return true
+  }
+  return false
+}
+
 /** Steps in slices, and long steps in parts, so that it can be called off; false if it was. */
-async function stepToEnd(trial: Trial): Promise<boolean> {
+async function stepToEnd(trial: Trial, budget: number | null): Promise<boolean> {
   let pace = 1
+  if (budget !== null && trial.evaluations >= budget) return true
   for (;;) {
     const began = performance.now()
-    const status = trial.advance(pace)
-    if (status !== 'running' && status !== 'partly') return true
+    if (advance(trial, pace, budget)) return true
     pace = Math.max(1, Math.floor(pace * Math.min(2, SLICE / Math.max(performance.now() - began, 0.1))))
     await breathe()
     if (stopped) return false
@@ -58,7 +70,7 @@ const api = {
   },
 
   /** Carries out a run to its end, or until `stop`. */
-  async run({ setup, maps, seed }: Errand): Promise<Ending> {
+  async run({ setup, maps, seed, budget }: Errand): Promise<Ending> {
     stopped = false
     let trial: Trial
     try {
@@ -71,7 +83,7 @@ const api = {
       return { is: 'refused', refusal: refusedBy(error) }
     }
     try {
-      if (stopped || !(await stepToEnd(trial))) return { is: 'stopped' }
+      if (stopped || !(await stepToEnd(trial, budget))) return { is: 'stopped' }
       const { evaluations, values } = trial.curve()
       const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
       return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
@@ -92,6 +104,25 @@ const api = {
       return { scene: await ready(() => generateScene(generator as GeneratorName, { ...params }, seed)) }
     } catch (error) {
       return { refused: refusedBy(error) }
+    }
+  },
+
+  /** What a run spends: evaluations before its first step and in it, and the most iterations that it takes. */
+  async spends(setup: UncheckedSetup): Promise<Answer<{ start: number; step: number; limit: number }>> {
+    let trial: Trial
+    try {
+      trial = await ready(() => new Trial(setup as Setup, undefined))
+    } catch (error) {
+      return { ok: false, refusal: refusedBy(error) }
+    }
+    try {
+      const { evaluations: start, limit } = trial
+      while (trial.advance(1) === 'partly') await breathe()
+      return { ok: true, value: { start, step: trial.evaluations - start, limit } }
+    } catch (error) {
+      throw broken(error)
+    } finally {
+      trial.free()
     }
   },
 

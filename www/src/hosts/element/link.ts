@@ -24,12 +24,17 @@ export function linkOf(read: Read, { planners, scenes }: Catalogue): string {
   const src = read('src')?.trim()
   if (src) return [src, ...shown].join('&')
   const name = read('planner')?.trim() || STANDARD.planner
+  const own = read('planner')?.trim()
+    ? ''
+    : Object.entries(STANDARD.params)
+        .map((pair) => pair.join('='))
+        .join()
   const planner = planners.find((candidate) => candidate.name === name)
   const fits = (scene: (typeof scenes)[number]): boolean => planner !== undefined && suits(planner, scene)
   const standard = scenes.find((scene) => scene.name === STANDARD.scene)
   const scene = read('scene')?.trim() || (standard && fits(standard) ? standard : scenes.find(fits))?.name || STANDARD.scene
   const seed = read('seed')?.trim() || String(STANDARD.seed)
   const at = read('at')?.trim() || '0'
-  const keys = [`planner=${name}`, `scene=${scene}`, `seed=${seed}`, ...paramsOf(read('params') ?? ''), `at=${at}`]
+  const keys = [`planner=${name}`, `scene=${scene}`, `seed=${seed}`, ...paramsOf(read('params') ?? own), `at=${at}`]
   return ['#v=1', ...keys, ...shown].join('&')
 }

@@ -2,58 +2,8 @@ const list = (names: readonly string[]): string =>
   names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 const areDeterministic = (names: readonly string[]): string => `${list(names)} ${names.length === 1 ? 'is' : 'are'} deterministic`
 
-/** Text of the batch view. What the core says comes with the catalogue, and with its refusals. */
+/** Text of a comparison’s statistics. What the core says comes with the catalogue, and with its refusals. */
 export const batch = {
-  lead: 'One run is an anecdote: stochastic planners are compared over many seeds.',
-  plan: {
-    title: 'Plan',
-    scene: 'Scene',
-    here: (title: string) => `${title} (edited)`,
-    maps: 'A random scene for each seed',
-    mapsHelp:
-      'Seed 7 has the generator’s scene 7: what a planner is worth beyond one scene. Lengths are compared by their gaps to the exact optimum.',
-    mapSettings: 'Parameters of the scenes',
-    mapsOf: (title: string) => `${title}: one for each seed`,
-    fromStage: (title: string) => `${title} (as on the stage)`,
-    from: 'First seed',
-    count: 'Number of seeds',
-    iterations: 'Iterations',
-    iterationsHint: 'For all planners that have none of their own among their parameters.',
-    iterationsPlaceholder: 'each planner’s own',
-    size: (planners: number, seeds: number, runs: string) =>
-      `${planners === 1 ? '1 planner' : `${planners} planners`} × ${seeds} seeds = ${runs} runs`,
-  },
-  fields: {
-    whole: (name: string, typed: string, least: string, most: string) =>
-      `${name}: “${typed}” is not allowed; it takes a whole number from ${least} to ${most}.`,
-    wholeOrNothing: (name: string, typed: string, least: string, most: string) =>
-      `${name}: “${typed}” is not allowed; it takes a whole number from ${least} to ${most}, or nothing.`,
-  },
-  entrants: {
-    title: 'Planners',
-    add: 'Add',
-    choose: 'Planner to add',
-    full: 'Eight is the most.',
-    none: 'Add a planner to compare.',
-    families: {
-      swarm: 'Swarms',
-      ants: 'Ants',
-      search: 'Searches',
-      tour: 'Tours',
-      tree: 'Trees',
-      dynamic: 'Driving among moving obstacles',
-      tuning: 'Tuning',
-    } as Readonly<Record<string, string>>,
-    defaults: 'all parameters at their defaults',
-    parameters: 'Parameters',
-    parametersOf: (name: string) => `Parameters of ${name}`,
-    copy: 'Duplicate',
-    copyOf: (name: string) => `Duplicate ${name}, to give it other parameters`,
-    remove: (name: string) => `Remove ${name}`,
-    unsuited: (scene: string) => `It does not run on “${scene}” and is left out.`,
-    double: 'The same as one above: give it other parameters, or it is left out.',
-    done: 'Done',
-  },
   run: {
     start: (runs: string) => `Run ${runs} runs`,
     stop: 'Stop',
@@ -67,7 +17,8 @@ export const batch = {
     threads: (n: number) => (n === 1 ? 'in 1 thread' : `in ${n} threads`),
     kept: (runs: string) => `This browser keeps ${runs} runs.`,
     delete: 'Delete them',
-    address: (why: string) => `Not all of this address could be opened. ${why}`,
+    size: (planners: number, seeds: number, runs: string) =>
+      `${planners === 1 ? '1 planner' : `${planners} planners`} × ${seeds} seeds = ${runs} runs`,
     broken: (message: string) => `A thread broke down (${message}). Completed runs are kept; go on to run the rest.`,
     faulty: 'Correct what is marked first.',
     nothing: 'There is no planner to run.',
@@ -76,27 +27,12 @@ export const batch = {
     finished: (total: string) => `All ${total} runs completed`,
   },
   empty: {
-    title: 'What a batch is good for',
+    title: 'What statistics are good for',
     points: [
       'Which planner is better here, and is the difference more than luck?',
       'How many evaluations does it take to come near the optimum, and how surely does it get there?',
-      'Which of fifty seeds went wrong? One click opens exactly that run on the stage.',
+      'Which of fifty seeds went wrong? One click opens exactly that run in the Lab.',
     ],
-    ready: 'Ready to run',
-  },
-  ready: {
-    title: 'Ready-made batches',
-    about: (planners: number, seeds: number) => `${planners} planners, ${seeds} seeds each`,
-    batches: {
-      swarms: { title: 'Four swarms on seven discs', text: 'Hens and chicks beside three plain swarms, on the scene of their paper.' },
-      ants: { title: 'Ants on the 30 × 30 grid', text: 'Four colonies: which rule finds the shortest way, and how soon?' },
-      quantum: { title: 'Quantum swarms on the 10 m grid', text: 'Does the evolving swarm go farther than the plain quantum swarm?' },
-      maps: {
-        title: 'Colonies on 100 random maps',
-        text: 'A map of rooms for each seed, default parameters: who finds a way on all, how much longer is it, and on how many maps is it optimal?',
-      },
-      inertia: { title: 'Three inertias on Rastrigin’s function', text: 'One planner with w = 0.4, 0.6 and 0.8: small values get stuck.' },
-    },
   },
   results: {
     show: 'What is compared',

@@ -65,7 +65,7 @@ const space: KeyGroup = {
 }
 
 const race: KeyGroup = {
-  title: 'A race',
+  title: 'Watching a comparison',
   rows: [
     ...time,
     [['Left', 'Right'], 'go a step of the clock back and on, with Shift ten'],

@@ -7,11 +7,11 @@ export const en = {
   regions: { bar: 'Document', transport: 'Time', panels: 'Panels', result: 'Result' },
   views: {
     label: 'Views',
-    titles: { stage: 'Stage', batch: 'Batch', race: 'Race', papers: 'Papers' },
+    titles: { learn: 'Learn', lab: 'Lab', compare: 'Compare', papers: 'Papers' },
     help: {
-      stage: 'One run, step by step',
-      batch: 'Many runs: planners beside each other over many seeds',
-      race: 'Two to four planners side by side, by equal evaluations',
+      learn: 'What this is, and where to begin',
+      lab: 'One run, step by step',
+      compare: 'Planners side by side, or with many seeds as statistics',
       papers: 'What was published, and what comes out here',
     },
   },

@@ -1,56 +1,20 @@
 const list = (names: readonly string[]): string =>
   names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 
-/** Text of the race view. */
+/** Text of a comparison that is watched. */
 export const race = {
-  title: 'Race',
-  about:
-    'Two to four planners on the same scene and seed, with the same number of evaluations. At each tick you see every planner’s first iteration that has used them up.',
-  loading: 'Loading the planners …',
   /** Where racers are measured by different ones. */
   yardsticks: { 'any-angle': 'any-angle optimum', cells: 'optimum over cells', matrix: 'shortest tour', stored: 'file’s optimum' },
-  setup: 'What races',
-  lanes: 'Racers',
-  ready: {
-    title: 'Ready-made races',
-    races: {
-      swarms: 'Four swarms among discs',
-      quantum: 'Quantum swarms',
-      ants: 'Three colonies',
-      exact: 'Exact searches',
-      trees: 'Trees among discs',
-      arm: 'An arm’s trees',
-      drives: 'Driving among moving obstacles',
-      tours: 'Tours through 52 stops',
-    },
-  },
-  scene: 'Scene',
-  ofLab: (title: string) => `${title} (from the stage)`,
-  task: 'Task',
-  tasks: { path: 'Path', tour: 'Tour' },
-  seed: 'Seed',
-  seedWrong: (typed: string) => `Seed: “${typed}” is not allowed. A whole number from 0 to 9 007 199 254 740 991.`,
+  lanes: 'Planners side by side',
   notch: 'Evaluations per tick',
   notchUsual: (count: string) => `${count}: the largest step of these planners`,
   notchWrong: (typed: string) => `Evaluations per tick: “${typed}” is not allowed. A whole number from 1 to 1 000 000.`,
-  notchReset: 'As large as the largest step',
-  add: 'Add a racer',
-  address: (why: string) => `Not all of this address could be opened. ${why}`,
-  left: (gone: readonly string[], come: readonly string[], scene: string) =>
-    `${list(gone)} ${gone.length === 1 ? 'does' : 'do'} not run on “${scene}”${come.length > 0 ? `: ${list(come)} ${come.length === 1 ? 'takes' : 'take'} the place` : ''}.`,
-  few: 'Only one planner runs on this scene.',
-  dismiss: 'Dismiss',
   sides: { label: 'Seen from', corner: 'Corner', front: 'Front', side: 'Side', top: 'Top' },
   lane: {
-    name: (letter: string, title: string) => `${letter}: ${title}`,
-    planner: (letter: string) => `Planner of ${letter}`,
-    parameters: 'Parameters',
-    changed: (count: number) => (count === 1 ? '1 changed' : `${count} changed`),
-    remove: (letter: string) => `Remove ${letter}`,
-    open: 'Open in the stage',
-    opens: (letter: string, iteration: string) => `Open in the stage: ${letter}, iteration ${iteration}`,
-    stage: (letter: string, title: string) => `Picture of ${letter}, ${title}`,
-    rank: (rank: number) => ['', 'leads', '2nd', '3rd', '4th'][rank] ?? '',
+    open: 'Open in the Lab',
+    opens: (name: string, iteration: string) => `Open in the Lab: ${name}, iteration ${iteration}`,
+    stage: (name: string) => `Picture of ${name}`,
+    rank: (rank: number) => ['', 'leads', '2nd', '3rd'][rank] ?? `${rank}th`,
     first: (shared: boolean) => (shared ? 'shares the lead' : 'leads'),
     none: 'no result yet',
     best: 'best',

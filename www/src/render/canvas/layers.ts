@@ -26,11 +26,12 @@ export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: str
     .filter(([, { role, look }]) => look.glyph !== 'number' && on(role))
     .sort(([, a], [, b]) => a.look.order - b.look.order)
   const result = resultOf(shown.map(([, layer]) => layer))
-  for (const [number, { look, role }] of shown) {
+  for (const [number, { look, role, pickable }] of shown) {
     pen.context.layer?.(role)
-    const style = stopsOf(scene).length > CROWD ? thinner(lookBeside(look, result)) : lookBeside(look, result)
     const isResult = result > 0 && look.result === result
     const pieces = piecesOf(spans, number, names.shapes)
+    const plain = stopsOf(scene).length > CROWD ? thinner(lookBeside(look, result)) : lookBeside(look, result)
+    const style = pickable && !isResult && pieces.length <= FEW ? clear(plain) : plain
     const own = more.own?.(look) ?? (pieces[0]?.shape === 'tube' ? more.drawTubes : undefined)
     if (own) {
       own(pen, style, vertices, pieces)
@@ -81,6 +82,14 @@ function layersIn(spans: Uint32Array, names: Names): [number: number, layer: Lay
     return layer ? [[number, layer]] : []
   })
 }
+
+/** So few members can be followed one by one: they are drawn clearly. */
+const FEW = 30
+const clear = (style: Style): Style => ({
+  ...style,
+  width: Math.max(style.width, 1.5),
+  opacity: [Math.max(style.opacity[0], 0.75), Math.max(style.opacity[1], 0.5)],
+})
 
 /** Tours of more stops are thinner. */
 const CROWD = 100

@@ -2,18 +2,16 @@ import type { Catalogue, ParameterValue, Scene } from 'forage-lab'
 import type { Questions } from '../../../engine/host/questions'
 import type { Made, Maps } from '../../../engine/trial.protocol'
 import { contendersOf, contendersText, decoded, named, shippedText, wholeIn } from '../address'
-import { COUNT, MOST_ENTRANTS, MOST_ITERATIONS, type Plan } from './plan'
+import { type Budget, COUNT, MOST_BUDGET, MOST_ENTRANTS, type Plan } from './plan'
+
+const MOST_LIMIT = 1_000_000
 
 /** A plan as keys of an address; null where its scene neither ships nor was packed by the core. */
-export function planKeys(
-  { scene, maps, entrants, from, count, iterations }: Plan,
-  catalogue: Catalogue,
-  packed: string | null,
-): string | null {
+export function planKeys({ scene, maps, entrants, from, count, budget }: Plan, catalogue: Catalogue, packed: string | null): string | null {
   const text = maps ? contendersText([{ planner: maps.generator, params: maps.params }]) : (shippedText(catalogue, scene) ?? packed)
   if (text === null) return null
-  const limit = iterations === null ? '' : `&limit=${iterations}`
-  return `&${maps ? 'maps' : 'scene'}=${text}&seeds=${from}-${from + count - 1}${limit}&with=${contendersText(entrants)}`
+  const evaluations = budget === 'first' ? '' : `&budget=${budget}`
+  return `&${maps ? 'maps' : 'scene'}=${text}&seeds=${from}-${from + count - 1}${evaluations}&with=${contendersText(entrants)}`
 }
 
 /** A generator's parameters are numbers, switches and choices. */
@@ -34,7 +32,9 @@ export async function planOf(
   keys: ReadonlyMap<string, string>,
   { catalogue, api, map }: Readers,
 ): Promise<{ plan: Plan | null; wrong: string[] }> {
-  const [first, last] = (keys.get('seeds') ?? '').split('-')
+  // Addresses of races had one seed, those of batches a limit of iterations: neither had a budget.
+  const [first, last] = (keys.get('seeds') ?? keys.get('seed') ?? '').split('-')
+  const limit = wholeIn(keys.get('limit'), 1, MOST_LIMIT)
   const from = wholeIn(first, 0, Number.MAX_SAFE_INTEGER - COUNT.most) ?? 1
   const to = wholeIn(last, from + COUNT.least - 1, from + COUNT.most - 1)
   const made = await mapsOf(keys.get('maps') ?? '', from, map)
@@ -48,13 +48,17 @@ export async function planOf(
   const plan: Plan = {
     scene: made?.scene ?? found.scene,
     maps: made?.scene ? made.maps : null,
-    entrants: found.contenders.slice(0, MOST_ENTRANTS).map((contender, slot) => ({ ...contender, slot })),
+    entrants: found.contenders
+      .slice(0, MOST_ENTRANTS)
+      .map(({ planner, params }, slot) => ({ planner, params: { ...(limit !== null && { iterations: limit }), ...params }, slot })),
     from,
     count: to === null ? COUNT.standard : to - from + 1,
-    iterations: wholeIn(keys.get('limit'), 1, MOST_ITERATIONS),
+    budget: budgetOf(keys.get('budget')),
   }
   return { plan, wrong }
 }
+
+const budgetOf = (text: string | undefined): Budget => (text === 'own' ? text : (wholeIn(text, 1, MOST_BUDGET) ?? 'first'))
 
 async function mapsOf(text: string, seed: number, map: Readers['map']): Promise<{ maps: Maps; scene?: Scene; wrong?: string } | null> {
   const [spread] = contendersOf(text)

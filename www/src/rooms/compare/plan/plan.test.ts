@@ -1,6 +1,6 @@
 import type { Planner, Scene } from 'forage-lab'
 import { expect, test } from 'vitest'
-import { type Entrant, freeSlot, keyOf, labels, paramsOf, type Plan } from './plan'
+import { allOf, type Entrant, freeSlot, iterationsFor, keyOf, labels, paramsOf, type Plan } from './plan'
 
 const parameter = (name: string, more: object = {}) => ({ name, kinds: [], default: 1, defaults: {}, ...more })
 const pso = {
@@ -16,10 +16,10 @@ const pso = {
 } as unknown as Planner
 const scene = { kind: 'discs', name: 'a' } as Scene
 const entrant = (params: Entrant['params'], slot = 0): Entrant => ({ slot, planner: 'pso', params })
-const plan = (...entrants: Entrant[]): Plan => ({ scene, maps: null, entrants, from: 1, count: 5, iterations: null })
+const plan = (...entrants: Entrant[]): Plan => ({ scene, maps: null, entrants, from: 1, count: 5, budget: 'own' })
 
 test('runs have the same key exactly if the core runs the same', () => {
-  const key = (params: Entrant['params'], of: Plan = plan()): string => keyOf(pso, entrant(params), of)
+  const key = (params: Entrant['params'], of: Plan = plan()): string => keyOf(pso, paramsOf(pso, entrant(params), of, null), of, null)
   expect(key({ w: 3, population: 9 })).toBe(key({ population: 9, w: 3 }))
   expect(key({ w: 1 }), 'a default').toBe(key({}))
   expect(key({ depth: 7 }), 'without effect').toBe(key({}))
@@ -31,10 +31,13 @@ test('runs have the same key exactly if the core runs the same', () => {
   expect(key({}, { ...maps(9), scene: { ...scene, name: 'b' } }), 'whichever map is seen').toBe(key({}, maps(9)))
 })
 
-test('the plan’s iterations hold for entrants without their own', () => {
-  const limited = { ...plan(), iterations: 40 }
-  expect(paramsOf(pso, entrant({ w: 3 }), limited)).toEqual({ iterations: 40, w: 3 })
-  expect(paramsOf(pso, entrant({ iterations: 70 }), limited)).toEqual({ iterations: 70 })
+test('a budget gives iterations to entrants without their own', () => {
+  expect(paramsOf(pso, entrant({ w: 3 }), plan(), 40)).toEqual({ iterations: 40, w: 3 })
+  expect(paramsOf(pso, entrant({ iterations: 70 }), plan(), 40)).toEqual({ iterations: 70 })
+  const spending = { start: 30, step: 30, limit: 200 }
+  expect(allOf(spending)).toBe(6030)
+  // A budget that ends within an iteration is spent by it; no run is without one.
+  expect([6030, 6031, 30, 1].map((budget) => iterationsFor(spending, budget))).toEqual([200, 201, 1, 1])
 })
 
 test('entrants with the same planner are named by the parameters in which they differ', () => {

@@ -21,13 +21,31 @@ export interface Plan {
   entrants: readonly Entrant[]
   from: number
   count: number
-  /** For all entrants that set none themselves; null: their own. */
-  iterations: number | null
+  budget: Budget
+}
+
+/** How long runs last: so many evaluations, as many as the first entrant takes by its own iterations, or each as long as its own iterations. */
+export type Budget = number | 'first' | 'own'
+
+/** What a run spends: evaluations before its first step and in it, and the most iterations that it takes. */
+export interface Spending {
+  start: number
+  step: number
+  limit: number
 }
 
 export const MOST_ENTRANTS = 8
 export const COUNT = { least: 2, most: 1000, standard: 50 }
-export const MOST_ITERATIONS = 1_000_000
+export const MOST_BUDGET = 100_000_000
+/** More iterations no planner takes. */
+const MOST_ITERATIONS = 1_000_000
+
+/** What a run of this spending evaluates at most, by its own iterations. */
+export const allOf = ({ start, step, limit }: Spending): number => start + step * limit
+
+/** So many iterations spend these evaluations: one begun is finished. */
+export const iterationsFor = ({ start, step }: Spending, evaluations: number): number =>
+  Math.min(MOST_ITERATIONS, Math.max(1, Math.ceil((evaluations - start) / Math.max(step, 1))))
 
 const numbers = new Map<string, number>()
 const known = new WeakMap<Scene, number>()
@@ -54,15 +72,20 @@ export function applicable(planner: Planner, scene: Scene, params: Values): Reco
   )
 }
 
-/** The parameters that an entrant runs with, as far as they differ from the defaults, by name. */
-export function paramsOf(planner: Planner, { params }: Entrant, { scene, iterations }: Plan): Record<string, ParameterValue> {
+/** The parameters that an entrant runs with, as far as they differ from the defaults, by name. `iterations`: for those that set none themselves. */
+export function paramsOf(
+  planner: Planner,
+  { params }: Entrant,
+  { scene }: Plan,
+  iterations: number | null,
+): Record<string, ParameterValue> {
   const all = applicable(planner, scene, iterations === null ? params : { iterations, ...params })
   return Object.fromEntries(Object.entries(all).sort(([a], [b]) => (a < b ? -1 : 1)))
 }
 
-/** Runs with the same key and seed are the same run, whatever plan they belong to. */
-export const keyOf = (planner: Planner, entrant: Entrant, plan: Plan): string =>
-  JSON.stringify([planner.name, plan.maps ?? numberOf(plan.scene), paramsOf(planner, entrant, plan)])
+/** Runs with the same key and seed are the same run, whatever plan they belong to. `evaluations`: with which they are stopped. */
+export const keyOf = (planner: Planner, params: Values, { scene, maps }: Plan, evaluations: number | null): string =>
+  JSON.stringify([planner.name, maps ?? numberOf(scene), params, evaluations])
 
 export const shortTitle = ({ title }: Planner): string => title.split(':')[0] ?? title
 

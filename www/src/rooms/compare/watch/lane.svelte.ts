@@ -1,5 +1,5 @@
-import type { Catalogue, Outcome, ParameterValue, Scene, TrialCurve } from 'forage-lab'
-import { sameScene } from '../../../scene/equality'
+import type { Catalogue, Outcome, Scene, TrialCurve } from 'forage-lab'
+import type { Values } from '../../../engine/trial.protocol'
 import type { Refusal, Report, Run } from '../../../engine/protocol'
 import { RunClient } from '../../../engine/run-client'
 import { en } from '../../../locales/en/page'
@@ -8,17 +8,6 @@ import { Outlet } from '../../../render/outlet'
 import type { FieldRequest, Viewport } from '../../../render/frame'
 import { markAt } from './standings'
 import { foreseen } from './ticks'
-
-/** Of several that come at once the newest counts. */
-export type Started = 'begun' | 'refused' | 'overtaken'
-
-/** What a run is asked for. */
-interface Asked {
-  planner: string
-  scene: Scene
-  seed: number
-  params: Record<string, ParameterValue>
-}
 
 /** A lane's run. */
 export interface LaneRun extends Run {
@@ -35,18 +24,13 @@ interface Settled {
 /** Vertices a layer may have: several canvases are drawn at once. */
 const BUDGET = 40_000
 
-let lanes = 0
-
 /** A planner in a race: its run, in a thread of its own whose clock is evaluations, and what was reported of it last. */
 export class Lane {
-  readonly id: number
   planner = $state('')
-  /** What differs from the defaults. */
-  params = $state.raw<Record<string, ParameterValue>>({})
-  /** Those with what is wanted and not answered yet. */
-  wanted: Record<string, ParameterValue>
-  /** Messages by parameter name. */
-  errors = $state.raw<Record<string, string>>({})
+  /** With which it runs, as far as they differ from the defaults. */
+  params = $state.raw<Values>({})
+  /** What it is called. */
+  label = $state('')
   /** Why it doesn't run here at all. */
   refusal = $state('')
   crash = $state('')
@@ -81,10 +65,8 @@ export class Lane {
   readonly racing = $derived(this.run !== null && this.refusal === '' && this.crash === '')
 
   private open = false
-  /** By the newest start. */
-  private asked: Asked | null = null
   /** Those who wait for the newest start, and for it to be where it goes. */
-  private onstarted: ((started: Started) => void) | null = null
+  private onstarted: ((begun: boolean) => void) | null = null
   private onarrived: ((picture: Report | null) => void) | null = null
   private onsettled: (() => void) | null = null
 
@@ -100,33 +82,36 @@ export class Lane {
     { clock: 'evaluations', speed: Infinity, budget: BUDGET, summary: false, underway: false },
   )
 
+  /** `slot`: its place among the colours. */
   constructor(
     private readonly setup: { readonly catalogue: Catalogue | null },
-    planner: string,
-    params: Record<string, ParameterValue> = {},
-  ) {
-    lanes += 1
-    this.id = lanes
+    readonly slot: number,
+  ) {}
+
+  /** Takes a planner with its parameters; false if it runs with them already. */
+  asks(planner: string, params: Values): boolean {
+    const same = planner === this.planner && JSON.stringify(params) === JSON.stringify(this.params) && this.open
     this.planner = planner
     this.params = params
-    this.wanted = params
+    return !same
   }
 
-  /** The run begins again, unless it is refused: then what runs is the run of before. */
-  start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<Started> {
+  /** The run begins again; of several starts the newest counts, the others are false. */
+  start(scene: Scene, seed: number): Promise<boolean> {
     this.crash = ''
-    this.onstarted?.('overtaken')
+    this.refusal = ''
+    this.onstarted?.(false)
     this.arrive(null)
-    this.client.want({ start: { setup: { planner: this.planner, scene, params, seed }, at: 0, play: false }, summary: false })
+    const { planner, params } = this
+    this.client.want({ start: { setup: { planner, scene, params, seed }, at: 0, play: false }, summary: false })
     if (!this.open) {
       this.open = true
       void this.client.open()
     }
-    this.asked = { planner: this.planner, scene, seed, params }
     return new Promise((resolve) => {
-      this.onstarted = (started) => {
+      this.onstarted = (begun) => {
         this.onstarted = null
-        resolve(started)
+        resolve(begun)
       }
     })
   }
@@ -137,7 +122,7 @@ export class Lane {
       this.refusal = ''
       this.run = { ...report.run, most: report.furthest.most }
       this.curve = report.curve
-      if (!this.client.starting) this.onstarted?.('begun')
+      if (!this.client.starting) this.onstarted?.(true)
     } else if (report.curve) {
       this.curve = report.curve
     }
@@ -159,18 +144,10 @@ export class Lane {
     onarrived?.(report)
   }
 
-  private refused({ field, message, unloaded }: Refusal): void {
-    const { asked } = this
-    if (this.client.starting || !asked) return
-    const own = field !== '' && (field in asked.params || field in (this.run?.parameters ?? {}))
-    if (own) this.errors = { ...this.errors, [field]: message }
-    if (!own || !this.run || !this.runsOn(this.run, asked)) this.refuse(unloaded ? en.notices.unloaded(message) : message)
-    this.onstarted?.('refused')
-  }
-
-  /** Of another planner, scene or seed it must not race on. */
-  private runsOn(run: Run, { planner, scene, seed }: Asked): boolean {
-    return run.planner === planner && run.seed === seed && sameScene(run.scene, scene)
+  private refused({ message, unloaded }: Refusal): void {
+    if (this.client.starting) return
+    this.refuse(unloaded ? en.notices.unloaded(message) : message)
+    this.onstarted?.(false)
   }
 
   private refuse(message: string): void {
@@ -251,7 +228,7 @@ export class Lane {
 
   private clear(): void {
     this.open = false
-    this.onstarted?.('refused')
+    this.onstarted?.(false)
     this.arrive(null)
     this.onsettled?.()
     this.run = null

@@ -1,14 +1,12 @@
 import type { TrialCurve } from 'forage-lab'
 import type { Curves } from '../../../render/plot/curves'
 import type { Stroke } from '../../../render/plot/plot'
-import { colourOf } from './racers'
+import { DASHES, tokenOf } from '../../../render/plot/statistics/strokes'
 
-/** Told apart by dashes, not by colour alone. */
-const DASHES: readonly (number[] | undefined)[] = [undefined, [10, 4], [3, 3], [10, 3, 2, 3]]
-
-export const strokeOf = (at: number): Stroke => {
-  const dash = DASHES[at % DASHES.length]
-  return { token: colourOf(at), width: 2.25, ...(dash && { dash }) }
+/** The line by which an entrant is known in all charts. */
+export const strokeOf = (slot: number): Stroke => {
+  const dash = DASHES[slot % DASHES.length]
+  return { token: tokenOf(slot), width: 2.25, ...(dash && { dash }) }
 }
 
 /** The feasible bests as columns over all evaluations at which one changed, up to `end`: each holds until its next change. */

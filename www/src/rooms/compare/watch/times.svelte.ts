@@ -31,16 +31,24 @@ export abstract class Times {
   readonly usual = $derived(Math.max(1, ...this.racing.map(({ run, picture }) => picture?.furthest.most ?? run?.most ?? 1)))
   readonly notch = $derived(this.chosen ?? this.usual)
   readonly begin = $derived(this.racing.length > 0 ? Math.min(...this.racing.map(({ run }) => run?.evaluations ?? 0)) : 0)
-  readonly extent = $derived(
-    extent(
-      this.clock,
-      this.racing.map(({ end }) => end),
+  readonly extent = $derived.by(() =>
+    Math.min(
+      this.most ?? Infinity,
+      extent(
+        this.clock,
+        this.racing.map(({ end }) => end),
+      ),
     ),
   )
-  readonly over = $derived(this.racing.length > 0 && this.racing.every(({ over }) => over))
+  readonly over = $derived.by(
+    () => this.racing.length > 0 && (this.clock >= (this.most ?? Infinity) || this.racing.every(({ over }) => over)),
+  )
   readonly busy = $derived(this.playing || this.goal !== null || this.starting)
   /** Everything stands still, and all that there is to tell was told. */
   readonly still = $derived(!this.busy && this.racing.length > 0 && this.racing.every(({ settled }) => settled !== null))
+
+  /** Where the clock stops; null: where all have come to their end. */
+  protected abstract get most(): number | null
 
   private looping = false
   /** When the next picture is due. */
@@ -92,7 +100,7 @@ export abstract class Times {
 
   seek = (to: number): void => {
     this.playing = false
-    this.goal = Math.max(to, this.begin)
+    this.goal = this.within(Math.max(to, this.begin))
     if (this.goal < this.heading) this.hurry()
     void this.loop()
   }
@@ -148,7 +156,11 @@ export abstract class Times {
     }
     if (this.goal !== null) return this.towards(this.goal)
     if (this.over) this.playing = false
-    return this.playing ? this.onwards(this.clock) + (this.more() - 1) * this.notch : null
+    return this.playing ? this.within(this.onwards(this.clock) + (this.more() - 1) * this.notch) : null
+  }
+
+  private within(clock: number): number {
+    return Math.min(clock, this.most ?? clock)
   }
 
   /** How many notches are due. */

@@ -6,9 +6,6 @@ import type { Lane } from './lane.svelte'
 
 /* How a racer's result is told, in its lane and in the table. */
 
-export const LETTERS = ['A', 'B', 'C', 'D'] as const
-export const letterOf = (at: number): string => LETTERS[at] ?? String(at + 1)
-
 const DIGITS = 6
 
 /** The exact optimum by the rule that a racer keeps to; a file's that was beaten is none. */

@@ -1,10 +1,10 @@
 import type { Catalogue, Scene } from 'forage-lab'
 import { sameScene } from '../../../scene/equality'
-import { COUNT, MOST_ENTRANTS, MOST_ITERATIONS, type Plan } from '../plan/plan'
+import { COUNT, MOST_BUDGET, MOST_ENTRANTS, type Plan } from './plan'
 
 /* The plan outlives a reload: it is kept as long as the browser's tab. */
 
-const KEY = 'forage.batch'
+const KEY = 'forage.comparison'
 
 interface Kept extends Omit<Plan, 'scene'> {
   /** The name of a scene that ships, or another in full. */
@@ -36,7 +36,7 @@ const isWhole = (value: unknown, least: number, most: number): value is number =
 /** What was kept, if this version of the page can still do something with it. */
 export function remembered({ planners, scenes, generators }: Catalogue): Plan | null {
   try {
-    const { scene: told, maps = null, entrants, from, count, iterations } = JSON.parse(sessionStorage.getItem(KEY) ?? '') as Kept
+    const { scene: told, maps = null, entrants, from, count, budget } = JSON.parse(sessionStorage.getItem(KEY) ?? '') as Kept
     const scene = typeof told === 'string' ? scenes.find(({ name }) => name === told) : told
     const fits =
       scene &&
@@ -51,8 +51,8 @@ export function remembered({ planners, scenes, generators }: Catalogue): Plan | 
       ) &&
       isWhole(from, 0, Number.MAX_SAFE_INTEGER - COUNT.most) &&
       isWhole(count, COUNT.least, COUNT.most) &&
-      (iterations === null || isWhole(iterations, 1, MOST_ITERATIONS))
-    return fits ? { scene, maps, entrants, from, count, iterations } : null
+      (budget === 'first' || budget === 'own' || isWhole(budget, 1, MOST_BUDGET))
+    return fits ? { scene, maps, entrants, from, count, budget } : null
   } catch {
     return null
   }

@@ -1,0 +1,85 @@
+import type { Catalogue, Planner, UncheckedSetup } from 'forage-lab'
+import { compare as text } from '../../../locales/en/compare'
+import type { Values } from '../../../engine/trial.protocol'
+import { allOf, type Entrant, groundOf, iterationsFor, keyOf, labels, paramsOf, type Plan, runnerOf, type Spending } from './plan'
+
+/** An entrant as it stands in the plan. */
+export interface Standing {
+  entrant: Entrant
+  label: string
+  /** Absent where it doesn't run on the scene, or is there for something else. */
+  planner: Planner | undefined
+  /** With which it runs, as far as they differ from the defaults. */
+  params: Values
+  key: string
+  /** Why it isn't run. */
+  trouble: string
+  /** How long it runs is known. */
+  ready: boolean
+  /** What is to be known for that. */
+  spending: Asked | null
+}
+
+/** Whose spending is asked for. */
+export interface Asked {
+  key: string
+  setup: UncheckedSetup
+}
+
+interface Known {
+  of(key: string): Spending | undefined
+  refusalOf(key: string): string | undefined
+}
+
+interface Given {
+  suitable: readonly Planner[]
+  allowance: number | null
+  spendings: Known
+  refusals: Readonly<Record<string, string>>
+}
+
+function askedFor(entrant: Entrant, plan: Plan, planner: Planner): Asked {
+  const params = paramsOf(planner, entrant, plan, null)
+  return { key: keyOf(planner, params, plan, null), setup: { planner: planner.name, scene: plan.scene, params, seed: plan.from } }
+}
+
+/** Evaluations at which runs of a plan are stopped; null: nowhere, or it is not known yet. */
+export function allowanceOf(plan: Plan, suitable: readonly Planner[], spendings: Known): number | null {
+  if (typeof plan.budget === 'number') return plan.budget
+  if (plan.budget === 'own') return null
+  for (const entrant of plan.entrants) {
+    const planner = runnerOf(entrant, plan.scene, suitable)
+    const { key } = planner ? askedFor(entrant, plan, planner) : {}
+    if (key === undefined || spendings.refusalOf(key) !== undefined) continue
+    const spending = spendings.of(key)
+    return spending ? allOf(spending) : null
+  }
+  return null
+}
+
+export function standingsOf(
+  plan: Plan,
+  { planners, generators }: Catalogue,
+  { suitable, allowance, spendings, refusals }: Given,
+): Standing[] {
+  const names = labels(plan, planners)
+  const met = new Set<string>()
+  return plan.entrants.map((entrant, at): Standing => {
+    const label = names[at] ?? entrant.planner
+    const planner = runnerOf(entrant, plan.scene, suitable)
+    if (!planner) {
+      const runs = runnerOf(entrant, plan.scene, planners) !== undefined
+      const trouble = runs ? text.entrants.otherTask : text.entrants.unsuited(groundOf(plan, generators))
+      return { entrant, label, planner, params: {}, key: '', trouble, ready: false, spending: null }
+    }
+    const spending = askedFor(entrant, plan, planner)
+    const known = spendings.of(spending.key)
+    const ready = plan.budget === 'own' || (allowance !== null && known !== undefined)
+    const iterations = allowance !== null && known ? iterationsFor(known, allowance) : null
+    const params = paramsOf(planner, entrant, plan, planner.parameters.some(({ name }) => name === 'iterations') ? iterations : null)
+    const key = keyOf(planner, params, plan, allowance)
+    const trouble = met.has(key) ? text.entrants.double : (spendings.refusalOf(spending.key) ?? refusals[key] ?? '')
+    met.add(key)
+    return { entrant, label, planner, params, key, trouble, ready, spending }
+  })
+}
