@@ -1,4 +1,5 @@
 import { catalogue, parseLink, type Scene, Session, type Setup, Trial, type TrialRecord, type UncheckedSetup } from '../../../pkg/node.js'
+import { iterationsFor } from '../../src/rooms/compare/plan/plan'
 
 /* The same core under Node: what the page must agree with to the bit. */
 
@@ -72,4 +73,13 @@ export function verified(link: string): ReturnType<typeof parseLink> {
   const hash = hashOf({ planner, scene, params, seed }, iteration)
   if (hash !== setup.hash) throw new Error(`the link promises ${setup.hash}, the core comes to ${hash}`)
   return setup
+}
+
+/** The iterations that a planner gets for so many evaluations. */
+export function iterationsOf(setup: Partial<UncheckedSetup>, evaluations: number): number {
+  const [first, limit] = sessionAt(setup, 0, (session) => [session.evaluations, session.limit])
+  let idle = 0
+  let step = 0
+  for (; step === 0; idle += 1) step = sessionAt(setup, idle + 1, (session) => session.evaluations) - first
+  return iterationsFor({ start: first, idle: idle - 1, step, limit }, evaluations)
 }

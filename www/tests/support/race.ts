@@ -31,7 +31,10 @@ export class Race {
   }
 
   async choose(ready: string): Promise<void> {
+    // What was here before stands still, too.
+    const before = await this.root.getAttribute('data-started')
     await this.page.getByTestId(`ready-${ready}`).click()
+    await expect(this.root).not.toHaveAttribute('data-started', before ?? '')
     await this.still()
   }
 

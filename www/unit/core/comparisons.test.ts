@@ -58,12 +58,12 @@ test('with an equal budget planners end at the same evaluations, each within its
     const spendings = setupsOf(preset).map((setup) => {
       const trial = new Trial(setup, undefined)
       const start = trial.evaluations
-      trial.step(1)
-      const spending = { start, step: trial.evaluations - start, limit: trial.limit }
+      while (trial.evaluations === start) trial.step(1)
+      const spending = { start, idle: trial.iteration - 1, step: trial.evaluations - start, limit: trial.limit }
       trial.free()
       return spending
     })
-    const budget = allOf(spendings[0] ?? { start: 0, step: 0, limit: 0 })
+    const budget = allOf(spendings[0] ?? { start: 0, idle: 0, step: 0, limit: 0 })
     setupsOf(preset).forEach((setup, at) => {
       const spending = spendings[at]
       if (!spending) throw new Error('no spending')

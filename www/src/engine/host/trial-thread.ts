@@ -107,8 +107,8 @@ const api = {
     }
   },
 
-  /** What a run spends: evaluations before its first step and in it, and the most iterations that it takes. */
-  async spends(setup: UncheckedSetup): Promise<Answer<{ start: number; step: number; limit: number }>> {
+  /** What a run spends: evaluations before its first step, steps without any, those of the first step with some, and the most steps. */
+  async spends(setup: UncheckedSetup): Promise<Answer<{ start: number; idle: number; step: number; limit: number }>> {
     let trial: Trial
     try {
       trial = await ready(() => new Trial(setup as Setup, undefined))
@@ -117,8 +117,14 @@ const api = {
     }
     try {
       const { evaluations: start, limit } = trial
-      while (trial.advance(1) === 'partly') await breathe()
-      return { ok: true, value: { start, step: trial.evaluations - start, limit } }
+      for (;;) {
+        const idle = trial.iteration
+        let status = trial.advance(1)
+        for (; status === 'partly'; status = trial.advance(1)) await breathe()
+        const step = trial.evaluations - start
+        if (step > 0 || status !== 'running') return { ok: true, value: { start, idle, step, limit } }
+        await breathe()
+      }
     } catch (error) {
       throw broken(error)
     } finally {

@@ -4,7 +4,7 @@ export const compare = {
   as: { label: 'How to look at it', titles: { watch: 'Watch', statistics: 'Statistics' } },
   address: (why: string) => `Not all of this address could be opened. ${why}`,
   broken: (message: string) => `A thread broke down (${message}). Try it once more.`,
-  replaced: (scene: string) => `None of the planners runs on “${scene}”: others take their places.`,
+  joined: (scene: string) => `None of the planners runs on “${scene}”: others have joined them.`,
   plan: {
     title: 'What is compared',
     scene: 'Scene',

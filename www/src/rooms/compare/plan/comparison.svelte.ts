@@ -66,10 +66,11 @@ export class Comparison {
     },
   )
   readonly suitable = $derived.by(() => (this.scene ? fitting(this.lab.setup.catalogue, this.scene, this.task) : []))
+  private readonly known = $derived.by(() => this.plan && allowanceOf(this.plan, this.suitable, this.spendings))
   /** Evaluations at which runs are stopped; null: none are, or it is not known yet. */
-  readonly allowance = $derived.by(() => this.plan && allowanceOf(this.plan, this.suitable, this.spendings))
+  readonly allowance = $derived(this.known ?? null)
   readonly standings = $derived.by<Standing[]>(() => {
-    const { plan, suitable, allowance, spendings, refusals } = this
+    const { plan, suitable, known: allowance, spendings, refusals } = this
     const { catalogue } = this.lab.setup
     return plan && catalogue ? standingsOf(plan, catalogue, { suitable, allowance, spendings, refusals }) : []
   })
@@ -226,10 +227,12 @@ export class Comparison {
     this.scene = scene
     this.maps = null
     this.notice = ''
-    // Where nobody can stay, others come: what was chosen says nothing there.
-    if (this.runnable.length === 0) {
-      this.entrants = this.rivals(undefined)
-      this.notice = text.replaced(scene.title)
+    // Where none of them runs, others come; those wait for a scene on which they do.
+    if (this.entrants.length > 0 && this.runnable.length === 0) {
+      const room = MOST_ENTRANTS - this.entrants.length
+      for (const { planner, params } of this.rivals(undefined).slice(0, room))
+        this.entrants = [...this.entrants, { slot: this.vacant(), planner, params }]
+      if (room > 0) this.notice = text.joined(scene.title)
     }
     this.changed()
   }
@@ -262,7 +265,7 @@ export class Comparison {
     if (this.entrants.length >= MOST_ENTRANTS) return
     const slot = this.vacant()
     const own = planner === this.lab.setup.plannerName && !this.entrants.some((entrant) => entrant.planner === planner)
-    this.entrants = [...this.entrants, { slot, planner, params: own ? this.lab.parameters.values : {} }]
+    this.entrants = [...this.entrants, { slot, planner, params: own && !this.lab.setup.isStandard ? this.lab.parameters.values : {} }]
     this.changed()
   }
 

@@ -34,10 +34,12 @@ test('runs have the same key exactly if the core runs the same', () => {
 test('a budget gives iterations to entrants without their own', () => {
   expect(paramsOf(pso, entrant({ w: 3 }), plan(), 40)).toEqual({ iterations: 40, w: 3 })
   expect(paramsOf(pso, entrant({ iterations: 70 }), plan(), 40)).toEqual({ iterations: 70 })
-  const spending = { start: 30, step: 30, limit: 200 }
+  const spending = { start: 30, idle: 0, step: 30, limit: 200 }
   expect(allOf(spending)).toBe(6030)
   // A budget that ends within an iteration is spent by it; no run is without one.
   expect([6030, 6031, 30, 1].map((budget) => iterationsFor(spending, budget))).toEqual([200, 201, 1, 1])
+  // Steps that evaluate nothing come before.
+  expect([allOf({ ...spending, idle: 5 }), iterationsFor({ ...spending, idle: 5 }, 60)]).toEqual([5880, 6])
 })
 
 test('entrants with the same planner are named by the parameters in which they differ', () => {

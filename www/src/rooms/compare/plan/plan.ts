@@ -27,10 +27,15 @@ export interface Plan {
 /** How long runs last: so many evaluations, as many as the first entrant takes by its own iterations, or each as long as its own iterations. */
 export type Budget = number | 'first' | 'own'
 
-/** What a run spends: evaluations before its first step and in it, and the most iterations that it takes. */
+/** What a run spends. */
 export interface Spending {
+  /** Evaluations before its first step. */
   start: number
+  /** Steps that evaluate nothing, before the first that does. */
+  idle: number
+  /** Evaluations of that one; 0: no step has any. */
   step: number
+  /** The most steps that it takes. */
   limit: number
 }
 
@@ -41,11 +46,11 @@ export const MOST_BUDGET = 100_000_000
 const MOST_ITERATIONS = 1_000_000
 
 /** What a run of this spending evaluates at most, by its own iterations. */
-export const allOf = ({ start, step, limit }: Spending): number => start + step * limit
+export const allOf = ({ start, idle, step, limit }: Spending): number => start + step * (limit - idle)
 
 /** So many iterations spend these evaluations: one begun is finished. */
-export const iterationsFor = ({ start, step }: Spending, evaluations: number): number =>
-  Math.min(MOST_ITERATIONS, Math.max(1, Math.ceil((evaluations - start) / Math.max(step, 1))))
+export const iterationsFor = ({ start, idle, step }: Spending, evaluations: number): number =>
+  Math.min(MOST_ITERATIONS, Math.max(1, idle + Math.ceil((evaluations - start) / Math.max(step, 1))))
 
 const numbers = new Map<string, number>()
 const known = new WeakMap<Scene, number>()

@@ -33,7 +33,7 @@ interface Known {
 
 interface Given {
   suitable: readonly Planner[]
-  allowance: number | null
+  allowance: number | null | undefined
   spendings: Known
   refusals: Readonly<Record<string, string>>
 }
@@ -43,8 +43,8 @@ function askedFor(entrant: Entrant, plan: Plan, planner: Planner): Asked {
   return { key: keyOf(planner, params, plan, null), setup: { planner: planner.name, scene: plan.scene, params, seed: plan.from } }
 }
 
-/** Evaluations at which runs of a plan are stopped; null: nowhere, or it is not known yet. */
-export function allowanceOf(plan: Plan, suitable: readonly Planner[], spendings: Known): number | null {
+/** Evaluations at which runs of a plan are stopped; null: nowhere; undefined: it is not known yet. */
+export function allowanceOf(plan: Plan, suitable: readonly Planner[], spendings: Known): number | null | undefined {
   if (typeof plan.budget === 'number') return plan.budget
   if (plan.budget === 'own') return null
   for (const entrant of plan.entrants) {
@@ -52,7 +52,7 @@ export function allowanceOf(plan: Plan, suitable: readonly Planner[], spendings:
     const { key } = planner ? askedFor(entrant, plan, planner) : {}
     if (key === undefined || spendings.refusalOf(key) !== undefined) continue
     const spending = spendings.of(key)
-    return spending ? allOf(spending) : null
+    return spending && (spending.step > 0 ? allOf(spending) : null)
   }
   return null
 }
@@ -74,10 +74,10 @@ export function standingsOf(
     }
     const spending = askedFor(entrant, plan, planner)
     const known = spendings.of(spending.key)
-    const ready = plan.budget === 'own' || (allowance !== null && known !== undefined)
-    const iterations = allowance !== null && known ? iterationsFor(known, allowance) : null
+    const ready = allowance === null || (allowance !== undefined && known !== undefined)
+    const iterations = allowance && known && known.step > 0 ? iterationsFor(known, allowance) : null
     const params = paramsOf(planner, entrant, plan, planner.parameters.some(({ name }) => name === 'iterations') ? iterations : null)
-    const key = keyOf(planner, params, plan, allowance)
+    const key = keyOf(planner, params, plan, allowance ?? null)
     const trouble = met.has(key) ? text.entrants.double : (spendings.refusalOf(spending.key) ?? refusals[key] ?? '')
     met.add(key)
     return { entrant, label, planner, params, key, trouble, ready, spending }

@@ -92,6 +92,7 @@ export class Race extends Times {
     await Promise.all(this.lanes.map((lane) => lane.start(scene, seed)))
     if (turn !== this.turns) return
     this.starting = false
+    this.started += 1
     const { at, play = false } = this.wanted
     this.wanted = {}
     if (at !== undefined) this.goal = at

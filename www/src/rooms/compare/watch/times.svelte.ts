@@ -60,7 +60,8 @@ export abstract class Times {
   /** Where they are on their way to; grows with each way. */
   private heading = 0
   private ways = 0
-  /** Races that were begun. */
+  /** How often all have begun. */
+  started = $state(0)
   protected turns = 0
 
   /** To the beginning of a race that is new, and from there where the user wanted it meanwhile. */
