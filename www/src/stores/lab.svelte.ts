@@ -2,6 +2,7 @@ import type { Progress, Report } from '../engine/protocol'
 import { Requests } from '../engine/requests'
 import { RunClient } from '../engine/run-client'
 import { Awaited } from './awaited.svelte'
+import { ColumnStore } from './column.svelte'
 import type { Standard } from '../catalogue/standard'
 import { host } from '../engine/host'
 import { Followers } from './followers.svelte'
@@ -11,6 +12,7 @@ import { NoticesStore } from './notices.svelte'
 import { ParametersStore } from './parameters.svelte'
 import { PictureStore } from './picture.svelte'
 import { PlaybackStore } from './playback.svelte'
+import { PresentationStore } from './presentation.svelte'
 import { questionsTo, worded } from './questions'
 import { RunStore } from './run.svelte'
 import { SceneStore } from './scene.svelte'
@@ -58,6 +60,8 @@ export class Lab {
   private readonly requests = new Requests<Subject>()
   private readonly awaited = new Awaited()
   readonly notices = new NoticesStore()
+  readonly column = new ColumnStore()
+  readonly presentation = new PresentationStore()
   readonly followers = new Followers()
   readonly selection = new SelectionStore(this.client, this.api, this.requests)
   readonly parameters = new ParametersStore(() => this.starts.again())

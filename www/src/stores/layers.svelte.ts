@@ -25,7 +25,10 @@ export class LayersStore {
     private readonly run: RunStore,
   ) {}
 
-  shows = (role: string, standard: boolean): boolean => this.chosen[role] ?? standard
+  /** The layers that are left while there may be few only. */
+  only = $state.raw<ReadonlySet<string> | null>(null)
+
+  shows = (role: string, standard: boolean): boolean => (this.only?.has(role) ?? true) && (this.chosen[role] ?? standard)
 
   show = (role: string, on: boolean): void => {
     this.chosen = { ...this.chosen, [role]: on }

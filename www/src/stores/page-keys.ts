@@ -1,4 +1,5 @@
 import type { Item, Point, Point3 } from 'forage-lab'
+import { type Tab, TABS } from './column.svelte'
 
 /* Keys of a link that say how the page shows the run. The core skips all that begin with `page.`. */
 
@@ -24,9 +25,11 @@ export interface PageKeys {
   camera: Camera | null
   /** Layers that are shown or hidden although their standard is otherwise. */
   layers: Readonly<Record<string, boolean>>
+  /** What the column holds, where it is not what it holds first. */
+  tab: Tab | null
 }
 
-export const NO_KEYS: PageKeys = { item: null, camera: null, layers: {} }
+export const NO_KEYS: PageKeys = { item: null, camera: null, layers: {}, tab: null }
 
 const PREFIX = 'page.'
 /** Of more no link is made. */
@@ -38,12 +41,13 @@ const DIGITS = 6
 const brief = (value: number): string => String(Number(value.toPrecision(DIGITS)))
 
 /** As they are added to a link. */
-export function writePageKeys({ item, camera, layers }: PageKeys): string {
+export function writePageKeys({ item, camera, layers, tab }: PageKeys): string {
   const entries: [string, string][] = []
   if (item) entries.push(['item', `${item.role}.${item.index}`])
   if (camera) entries.push(['camera', numbersOf(camera).map(brief).join()])
   const changed = Object.entries(layers)
   if (changed.length > 0) entries.push(['layers', changed.map(([role, on]) => (on ? role : `-${role}`)).join()])
+  if (tab) entries.push(['tab', tab])
   return entries.map(([key, value]) => `&${PREFIX}${key}=${value}`).join('')
 }
 
@@ -54,7 +58,8 @@ const numbersOf = (camera: Camera): number[] =>
 export function readPageKeys(link: string): PageKeys {
   const pairs = link.split('&').map((pair) => pair.split('=') as [string, string?])
   const read = (key: string): string => decoded(pairs.find(([name]) => name === PREFIX + key)?.[1] ?? '')
-  return { item: itemOf(read('item')), camera: cameraOf(read('camera')), layers: layersOf(read('layers')) }
+  const tab = TABS.find((known) => known === read('tab')) ?? null
+  return { item: itemOf(read('item')), camera: cameraOf(read('camera')), layers: layersOf(read('layers')), tab }
 }
 
 function decoded(value: string): string {

@@ -9,6 +9,7 @@ import type { Followers } from './followers.svelte'
 import type { LayersStore } from './layers.svelte'
 import type { NoticesStore } from './notices.svelte'
 import { isShortened, restored } from './large-links'
+import type { ColumnStore } from './column.svelte'
 import { type PageKeys, readPageKeys } from './page-keys'
 import type { ParametersStore } from './parameters.svelte'
 import type { PictureStore } from './picture.svelte'
@@ -23,6 +24,7 @@ import { stillness } from './theme.svelte'
 /** What a start is made of and what it changes. */
 interface Stores {
   readonly api: Questions
+  readonly column: ColumnStore
   readonly followers: Followers
   readonly layers: LayersStore
   readonly notices: NoticesStore
@@ -72,7 +74,8 @@ export class Starts {
     this.restart({ at: iteration, play: false }, request)
   }
 
-  private applyPageKeys({ item, camera, layers }: PageKeys): void {
+  private applyPageKeys({ item, camera, layers, tab }: PageKeys): void {
+    if (tab) this.stores.column.show(tab)
     this.stores.layers.chosen = { ...this.stores.layers.chosen, ...layers }
     this.stores.picture.wantedCamera = camera
     if (item && this.stores.setup.planner?.layers.some(({ role, pickable }) => role === item.role && pickable))

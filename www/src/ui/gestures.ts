@@ -18,8 +18,8 @@ export interface Gestures {
 const SLACK = 4
 const WHEEL = 0.0016
 
-/** Turns pointer and wheel events of an element into gestures. */
-export function gestures(element: HTMLElement, act: Gestures): () => void {
+/** Turns pointer and wheel events of an element into gestures. `scale`: pixels of the page one of theirs takes. */
+export function gestures(element: HTMLElement, act: Gestures, scale: () => number = () => 1): () => void {
   const fingers = new Map<number, Point>()
   let holding = false
   /** Only the first button takes hold and taps; the others move the view. */
@@ -29,7 +29,7 @@ export function gestures(element: HTMLElement, act: Gestures): () => void {
 
   const where = (event: MouseEvent): Point => {
     const { left, top } = element.getBoundingClientRect()
-    return [event.clientX - left, event.clientY - top]
+    return [(event.clientX - left) / scale(), (event.clientY - top) / scale()]
   }
 
   const down = (event: PointerEvent): void => {

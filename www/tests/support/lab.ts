@@ -10,6 +10,17 @@ const en = { ...page, ...scenes }
 
 export const HASH = /^[0-9a-f]{16}$/
 
+/** Where panels are that are not in *Setup*. */
+const TABS: Readonly<Record<string, 'explain' | 'chart'>> = {
+  inspect: 'explain',
+  formulas: 'explain',
+  members: 'explain',
+  chart: 'chart',
+  events: 'chart',
+  readings: 'chart',
+  result: 'chart',
+}
+
 /** Without a graphics card the browser reads back what WebGL draws, and says that this takes its time; the tests keep workers out. */
 const DRIVER = /GL Driver Message .*GPU stall due to ReadPixels|Service Worker registration blocked by Playwright/
 
@@ -72,10 +83,10 @@ export class Lab {
   }
 
   /** Where a point of the scene is on the page, while all of the scene is seen. */
-  async whereIs(scene: Scene, point: Point): Promise<{ x: number; y: number }> {
+  async whereIs(scene: Scene, point: Point, bare = false): Promise<{ x: number; y: number }> {
     const box = await this.stage.boundingBox()
     if (!box) throw new Error('no stage')
-    const [x, y] = toScreen(fit(extent(scene), box, margins(box.width, false), isDown(scene)), box, point)
+    const [x, y] = toScreen(fit(extent(scene), box, margins(box.width, bare), isDown(scene)), box, point)
     return { x: box.x + x, y: box.y + y }
   }
 
@@ -88,9 +99,16 @@ export class Lab {
     await mouse.up()
   }
 
-  /** Opens one of the panels, if it is closed. */
+  /** Shows a tab of the column. */
+  async tab(name: 'explain' | 'chart' | 'setup'): Promise<void> {
+    await this.page.getByTestId(`tab-${name}`).click()
+  }
+
+  /** Opens one of the panels, if it is closed, on the tab that has it. */
   async section(id: string): Promise<Locator> {
     const section = this.page.getByTestId(`section-${id}`)
+    await this.tab(TABS[id] ?? 'setup')
+    if (id === 'inspect') return section
     // A section may open by itself while the page is still being set up: then a click would close it.
     await expect(async () => {
       if (!(await section.evaluate((node: HTMLDetailsElement) => node.open))) await section.locator('> summary').click()
@@ -100,6 +118,8 @@ export class Lab {
   }
 
   async layer(role: string, on: boolean): Promise<void> {
+    const fold = this.page.getByTestId('fold-legend')
+    if ((await fold.isVisible()) && (await fold.getAttribute('aria-expanded')) === 'false') await fold.click()
     await this.page.getByTestId(`layer-${role}`).setChecked(on)
   }
 

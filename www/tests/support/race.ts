@@ -33,6 +33,8 @@ export class Race {
   async choose(ready: string): Promise<void> {
     // What was here before stands still, too.
     const before = await this.root.getAttribute('data-started')
+    const fold = this.page.getByTestId('fold-presets')
+    if ((await fold.isVisible()) && (await fold.getAttribute('aria-expanded')) === 'false') await fold.click()
     await this.page.getByTestId(`ready-${ready}`).click()
     await expect(this.root).not.toHaveAttribute('data-started', before ?? '')
     await this.still()

@@ -52,7 +52,7 @@ export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
     '-': () => acts.zoom(0.8),
     '0': acts.fit,
     n: () => pointer.next(1),
-    p: () => pointer.next(-1),
+    N: () => pointer.next(-1),
     a: () => pointer.add(acts.orbit),
     j: () => pointer.walk(-1),
     k: () => pointer.walk(1),

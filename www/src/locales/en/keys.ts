@@ -10,6 +10,7 @@ const everywhere: KeyGroup = {
   title: 'Everywhere',
   rows: [
     [['?'], 'shows these keys'],
+    [['P'], 'presents: the stage fills the screen'],
     [['Ctrl', 'Z'], 'undoes an edit'],
     [['Ctrl', 'Shift', 'Z'], 'does it again'],
   ],
@@ -27,7 +28,7 @@ const run: KeyGroup = {
     ...time,
     [['Left', 'Right'], 'go an iteration back and on, with Shift ten'],
     [['Page up', 'Page down'], 'go from part to part'],
-    [['N', 'P'], 'go to the next and the previous event'],
+    [['N', 'Shift N'], 'go to the next and the previous event'],
   ],
 }
 
@@ -53,7 +54,7 @@ const space: KeyGroup = {
     [['+', '−'], 'zoom'],
     [['0'], 'shows all'],
     [['1', '2', '3', '4'], 'look from the front, the side, above and a corner'],
-    [['N', 'P'], 'select the next and the previous object'],
+    [['N', 'Shift N'], 'select the next and the previous object'],
     [['Arrows'], 'move what is selected over the floor'],
     [['Page up', 'Page down'], 'lift and lower it'],
     [['Shift', 'Arrows'], 'resize a cuboid by its far faces, and turn the base'],
@@ -61,6 +62,17 @@ const space: KeyGroup = {
     [['Delete'], 'removes the selected one'],
     [['J', 'K'], 'look closer at the node before and at the next one'],
     [['Escape'], 'lets go'],
+  ],
+}
+
+const presenting: KeyGroup = {
+  title: 'While presenting',
+  rows: [
+    [['Page down', 'Page up'], 'go an iteration on and back, as clickers do'],
+    [['1', '9'], 'go to the first tenth of the run, to the ninth'],
+    [['B'], 'blanks the screen'],
+    [['Q'], 'shows the link as a QR code'],
+    [['Escape'], 'leaves'],
   ],
 }
 
@@ -79,7 +91,7 @@ const spoken = ({ rows }: KeyGroup): string => rows.map(([keys, what]) => `${key
 
 export const keys = {
   title: 'Keys',
-  groups: [everywhere, run, stage, space, race],
+  groups: [everywhere, run, stage, space, presenting, race],
   stageHelp: `${spoken(run)} ${spoken(stage)}`,
   spaceHelp: spoken(space),
 }
