@@ -24,6 +24,9 @@ export const layerOf = (catalogue: Catalogue | null, planner: Planner | null | u
 /** The key of the layer with this form; empty where there is none. */
 export const keyOf = (layers: readonly Layer[], glyph: Look['glyph']): string => layers.find(({ look }) => look.glyph === glyph)?.role ?? ''
 
+/** What was before. */
+export const GHOST: Look = { ...PLAIN, width: 2.5, opacity: [0.5, 0.5], dash: [2, 5] }
+
 /** Lines that something walked along, a vertex a step. */
 export const isWalked = ({ weight }: Layer): boolean => weight === 'arrived'
 

@@ -24,11 +24,3 @@ export function placed(moving: Moving, to: (at: Point) => Point): Moving {
     ...(waypoints && { waypoints: waypoints.map(([time, x, y]): [number, number, number] => [time, ...to([x, y])]) }),
   }
 }
-
-/** What is planned in. Who meets only moving obstacles elsewhere comes to the same moment by the same plan. */
-const GROUND = ['name', 'cell', 'rows', 'y_axis', 'start', 'goal', 'stops', 'corner_cutting', 'robot'] as const
-
-/** Whether an edit has changed nothing but what moves. Scenes are never changed in place. */
-export function onlyMoves(before: Scene | null, after: Scene | null): boolean {
-  return before?.kind === 'grid' && after?.kind === 'grid' && GROUND.every((name) => before[name] === after[name])
-}

@@ -20,3 +20,17 @@ export class Curve {
     return true
   }
 }
+
+/** Readings as they were at one moment. */
+export interface History {
+  columns: readonly string[]
+  iterations: readonly number[]
+  rows: readonly number[]
+}
+
+/** As they are now: the arrays grow in place, and are emptied for another run. */
+export const historyOf = ({ columns, iterations, rows }: History): History => ({
+  columns: [...columns],
+  iterations: [...iterations],
+  rows: [...rows],
+})

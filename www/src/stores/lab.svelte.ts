@@ -5,6 +5,7 @@ import { Awaited } from './awaited.svelte'
 import { ColumnStore } from './column.svelte'
 import type { Standard } from '../catalogue/standard'
 import { host } from '../engine/host'
+import { ExperimentsStore } from './experiments.svelte'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
 import { LayersStore } from './layers.svelte'
@@ -65,7 +66,7 @@ export class Lab {
   readonly followers = new Followers()
   readonly selection = new SelectionStore(this.client, this.api, this.requests)
   readonly parameters = new ParametersStore(() => this.starts.again())
-  readonly scene = new SceneStore(this.selection, this.requests, (where) => this.starts.again(where))
+  readonly scene = new SceneStore(this.selection, this.requests, (continued) => this.starts.again(continued ? 'on' : 'here'))
   readonly setup = new SetupStore(this.scene, this.parameters, this.notices, this.awaited, this.requests, this.api, {
     again: (where, since) => this.starts.again(where, since),
     restart: (opening) => this.starts.begin(opening),
@@ -81,8 +82,15 @@ export class Lab {
   readonly layers = new LayersStore(this.scene, this.setup, this.parameters, this.run)
   readonly picture = new PictureStore(this.client, this.layers)
 
+  readonly experiments = new ExperimentsStore(
+    () => this.run,
+    () => this.playback,
+  )
+
   private readonly starts: Starts = new Starts(this, this.client, this.requests, this.awaited)
   readonly openLink = this.starts.openLink
+  readonly undo = (): void => this.starts.travel('undo')
+  readonly redo = (): void => this.starts.travel('redo')
 
   /** There is a path of this very scene to follow. */
   readonly followable = $derived.by(

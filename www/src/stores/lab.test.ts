@@ -59,6 +59,9 @@ const CHANGES: Record<string, () => unknown> = {
   'an edit': () => lab.scene.addDisc(5, 5, 1),
 }
 
+/** After these the new run stands where the one before stood. */
+const STAYING = new Set(['a parameter', 'a reset parameter', 'an edit'])
+
 for (const [what, change] of Object.entries(CHANGES)) {
   describe(`after a change of ${what}`, () => {
     for (const received of [0, 1, 2]) {
@@ -85,7 +88,7 @@ for (const [what, change] of Object.entries(CHANGES)) {
         for (let message = 0; message < received; message += 1) await worker.receive(false)
         for (let step = 0; step < 3; step += 1) lab.playback.stepBy(1)
         await passed()
-        await atRest(3)
+        await atRest((STAYING.has(what) ? 20 : 0) + 3)
       })
 
       test(`play and pause hold for the new run (${received} messages received)`, async () => {
@@ -103,12 +106,49 @@ for (const [what, change] of Object.entries(CHANGES)) {
   })
 }
 
-test('a seek between two changes holds for neither of the later runs', async () => {
+test('a seek between two changes holds for the later run, too: it stands where the one before was to stand', async () => {
   void lab.parameters.set('w', 2)
   lab.playback.seek(40)
   void lab.parameters.set('c', 3)
-  await atRest(0)
+  await atRest(40)
   expect(worker.state.params).toEqual({ w: 2, c: 3 })
+})
+
+test('a change leaves a run that can be gone back to, where it stood, and forward again', async () => {
+  lab.playback.seek(20)
+  await atRest(20)
+  void lab.parameters.set('w', 2)
+  await atRest(20)
+  expect(lab.experiments.shown?.setup.params).toEqual({})
+  lab.playback.seek(33)
+  await atRest(33)
+  lab.scene.addDisc(5, 5, 1)
+  await atRest(33)
+  const edited = lab.scene.present
+  lab.undo()
+  await atRest(33)
+  expect([lab.parameters.values, lab.scene.present === edited]).toEqual([{ w: 2 }, false])
+  expect(lab.experiments.shown?.setup.scene, 'what was undone is what it is compared with').toBe(edited)
+  lab.undo()
+  await atRest(20)
+  expect([lab.parameters.values, lab.experiments.canUndo]).toEqual([{}, false])
+  lab.redo()
+  await atRest(33)
+  lab.redo()
+  await atRest(33)
+  expect([lab.scene.present === edited, lab.parameters.values, lab.experiments.canRedo]).toEqual([true, { w: 2 }, false])
+})
+
+test('what is refused is no step back', async () => {
+  lab.playback.seek(20)
+  await atRest(20)
+  void lab.parameters.set('w', 2)
+  await atRest(20)
+  void lab.parameters.set('w', -1)
+  await worker.receiveAll()
+  lab.undo()
+  await atRest(20)
+  expect(lab.parameters.values).toEqual({})
 })
 
 test('a seek after two changes holds for the run with both', async () => {

@@ -1,4 +1,4 @@
-import type { ParameterValue } from 'forage-lab'
+import type { ParameterValue, Scene } from 'forage-lab'
 
 /** A planner with the parameters that differ from its defaults. */
 export interface Contender {
@@ -12,8 +12,8 @@ export type Sight = (typeof SIGHTS)[number]
 
 export interface ProposedComparison {
   as: Sight
-  /** A scene that ships, by its name. */
-  scene: string
+  /** A scene that ships by its name, or another. */
+  scene: string | Scene
   planners: readonly Contender[]
   seeds: { from: number; count: number }
 }

@@ -1,8 +1,7 @@
 import type { ArmScene, DiscsScene, GridScene, NamedFile, Point, Problem, Scene } from 'forage-lab'
 import { add, edited, move, place, type Plane, remove, rounded, type Selection } from '../scene/edits'
 import type { Requests } from '../engine/requests'
-import * as history from '../scene/undo'
-import { movingOf, onlyMoves } from '../scene/moving'
+import { movingOf } from '../scene/moving'
 import { stopsOf, withStops } from '../scene/stops'
 import { unlessGone } from './questions'
 import type { SelectionStore } from './selection.svelte'
@@ -10,12 +9,6 @@ import type { Subject } from './subjects'
 
 /** Key presses that follow each other within this many milliseconds are one edit. */
 const NUDGING = 800
-
-/**
- * Where a run begins after an edit: at its beginning; where it was, for what has changed is only what it meets on its way; or as after
- * the edit before, which this one continues.
- */
-export type Again = 'begin' | 'here' | 'on'
 
 /** Files that a scene was read from, and what there is to say about it. */
 export interface ImportedFiles {
@@ -28,14 +21,14 @@ export interface ImportedFiles {
 
 /** The scene and its edits. */
 export class SceneStore {
-  private scenes = $state.raw<history.History<Scene> | null>(null)
-  /** A scene while it is being dragged: not yet a step of the history. */
+  private scene = $state.raw<Scene | null>(null)
+  /** A scene while it is being dragged. */
   private draft = $state.raw<Scene | null>(null)
   /** What was told of the files that the scene was read from. */
   imported = $state.raw<ImportedFiles | null>(null)
   private nudged: { selection: Selection; at: number } | null = null
 
-  readonly present = $derived(this.draft ?? this.scenes?.present ?? null)
+  readonly present = $derived(this.draft ?? this.scene)
   readonly discs = $derived<DiscsScene | null>(this.present?.kind === 'discs' ? this.present : null)
   readonly grid = $derived<GridScene | null>(this.present?.kind === 'grid' ? this.present : null)
   /** A scene in space. */
@@ -49,26 +42,18 @@ export class SceneStore {
   readonly moving = $derived(this.present ? movingOf(this.present) : [])
   /** The scene has a robot with an outline. */
   readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
-  readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
-  readonly canRedo = $derived((this.scenes?.future.length ?? 0) > 0)
 
-  /** `again`: the run begins again. */
+  /** `again`: the run begins again for an edit; `continued`: it goes on with the one before. */
   constructor(
     private readonly selected: SelectionStore,
     private readonly requests: Requests<Subject>,
-    private readonly again: (where?: Again) => unknown,
+    private readonly again: (continued: boolean) => unknown,
   ) {}
 
-  /** The run begins again for an edit of what was there before. */
-  private after(before: Scene | null, continued: boolean): void {
-    if (onlyMoves(before, this.present)) this.again(continued ? 'on' : 'here')
-    else this.again()
-  }
-
-  /** Another scene takes the place, as a step of the history or as its beginning. */
-  put(scene: Scene, step: boolean): void {
+  /** Another scene takes the place. */
+  put(scene: Scene): void {
     this.requests.note('scene')
-    this.scenes = this.scenes && step ? history.commit(this.scenes, scene) : history.begin(scene)
+    this.scene = scene
     this.draft = null
     this.selected.object = null
     this.imported = null
@@ -81,19 +66,18 @@ export class SceneStore {
     return this.requests.replaced(request, 'scene') ? null : answer
   }
 
-  /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
+  /** An edit on its way, shown and run at once; `edit` with the last of them ends it. */
   drag = (scene: Scene): void => {
-    const [before, continued] = [this.present, this.draft !== null]
+    const continued = this.draft !== null
     this.draft = edited(scene)
-    this.after(before, continued)
+    this.again(continued)
   }
 
   /** Lets go of an edit that wasn't meant. */
   abandon = (): void => {
-    const before = this.draft
-    if (!before) return
+    if (!this.draft) return
     this.draft = null
-    this.after(before, true)
+    this.again(true)
   }
 
   /** What was being dragged stays as it is now. */
@@ -102,24 +86,11 @@ export class SceneStore {
   }
 
   edit = (scene: Scene): void => {
-    if (!this.scenes) return
-    const [before, continued] = [this.present, this.draft !== null]
+    if (!this.scene) return
+    const continued = this.draft !== null
     this.draft = null
-    this.scenes = history.commit(this.scenes, edited(scene))
-    this.after(before, continued)
-  }
-
-  undo = (): void => this.travel(history.undo)
-  redo = (): void => this.travel(history.redo)
-
-  private travel(by: (from: history.History<Scene>) => history.History<Scene>): void {
-    if (!this.scenes) return
-    const before = this.present
-    this.draft = null
-    this.scenes = by(this.scenes)
-    this.selected.object = null
-    this.imported = null
-    this.after(before, false)
+    this.scene = edited(scene)
+    this.again(continued)
   }
 
   addDisc = (x: number, y: number, radius: number): void => {
@@ -164,9 +135,9 @@ export class SceneStore {
     const before = this.present
     if (!selection || scene === before) return
     const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
-    if (goesOn && this.scenes) {
-      this.scenes = history.amend(this.scenes, edited(scene))
-      this.after(before, true)
+    if (goesOn) {
+      this.scene = edited(scene)
+      this.again(true)
     } else {
       this.edit(scene)
     }

@@ -10,7 +10,8 @@ import { suits } from '../scene/stops'
 import type { Awaited } from './awaited.svelte'
 import type { NoticesStore } from './notices.svelte'
 import type { ParametersStore } from './parameters.svelte'
-import type { Again, SceneStore } from './scene.svelte'
+import type { SceneStore } from './scene.svelte'
+import type { Again } from './again'
 import type { Subject } from './subjects'
 import { stillness } from './theme.svelte'
 
@@ -63,7 +64,7 @@ export class SetupStore {
     this.plannerName = planner
     this.parameters.replace({ ...params })
     this.seed = seed
-    this.scene.put(this.shipped(scene), false)
+    this.scene.put(this.shipped(scene))
   }
 
   /** Nothing was changed since it was shown first. */
@@ -98,10 +99,10 @@ export class SetupStore {
     return Boolean(planner && scene && met(when, planner.parameters, scene.kind, this.parameters.values))
   }
 
-  /** Takes what a link has. `step`: the scene of before is a step back. */
-  take({ planner, scene, params, seed }: Pick<LinkSetup, 'planner' | 'scene' | 'params' | 'seed'>, step: boolean): void {
+  /** Takes all of a setup. */
+  take({ planner, scene, params, seed }: Pick<LinkSetup, 'planner' | 'scene' | 'params' | 'seed'>): void {
     this.plannerName = planner
-    this.scene.put(scene, step)
+    this.scene.put(scene)
     this.parameters.replace(params)
     this.seed = seed
     this.notices.text = ''
@@ -117,14 +118,14 @@ export class SetupStore {
     // Where it doesn't run, it brings a scene of its own.
     const { present } = this.scene
     const other = present && !suits(planner, present) && this.catalogue?.scenes.find((scene) => suits(planner, scene))
-    if (other) this.scene.put(other, true)
-    this.start.again()
+    if (other) this.scene.put(other)
+    this.start.again('begin')
   }
 
   openScene = (scene: Scene): void => {
     this.notices.text = ''
-    this.scene.put(scene, true)
-    this.start.again()
+    this.scene.put(scene)
+    this.start.again('begin')
   }
 
   /** A planner, a scene, parameters and a seed at once: they show what was meant to be seen. */
@@ -135,7 +136,7 @@ export class SetupStore {
     this.parameters.replace(params)
     this.seed = seed
     this.requests.note('seed')
-    if (scene !== this.scene.present) this.scene.put(scene, true)
+    if (scene !== this.scene.present) this.scene.put(scene)
     this.start.restart({ at: 0, play: !stillness.matches })
   }
 
@@ -154,13 +155,13 @@ export class SetupStore {
     this.tuner = { planner: this.plannerName, params: this.parameters.values }
     this.plannerName = planner
     this.parameters.replace(params)
-    this.start.again()
+    this.start.again('begin')
   }
 
   setSeed = (seed: number): void => {
     this.requests.note('seed')
     this.seed = seed
-    this.start.again()
+    this.start.again('begin')
   }
 
   newSeed = (): Promise<void> => {

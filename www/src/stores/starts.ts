@@ -4,18 +4,20 @@ import type { Opening, Refusal, Report } from '../engine/protocol'
 import type { Requests } from '../engine/requests'
 import type { RunClient } from '../engine/run-client'
 import { en } from '../locales/en/page'
+import type { Again } from './again'
 import type { Awaited } from './awaited.svelte'
 import type { Followers } from './followers.svelte'
 import type { LayersStore } from './layers.svelte'
 import type { NoticesStore } from './notices.svelte'
 import { isShortened, restored } from './large-links'
 import type { ColumnStore } from './column.svelte'
+import type { ExperimentsStore } from './experiments.svelte'
 import { type PageKeys, readPageKeys } from './page-keys'
 import type { ParametersStore } from './parameters.svelte'
 import type { PictureStore } from './picture.svelte'
 import type { PlaybackStore } from './playback.svelte'
 import type { RunStore } from './run.svelte'
-import type { Again, SceneStore } from './scene.svelte'
+import type { SceneStore } from './scene.svelte'
 import type { SelectionStore } from './selection.svelte'
 import type { SetupStore } from './setup.svelte'
 import type { Subject } from './subjects'
@@ -25,6 +27,7 @@ import { stillness } from './theme.svelte'
 interface Stores {
   readonly api: Questions
   readonly column: ColumnStore
+  readonly experiments: ExperimentsStore
   readonly followers: Followers
   readonly layers: LayersStore
   readonly notices: NoticesStore
@@ -68,8 +71,8 @@ export class Starts {
 
   private openSetup(setup: LinkSetup, request: number): void {
     const { iteration, hash } = setup
-    // What opens on a link has nothing to go back to.
-    this.stores.setup.take(setup, this.stores.run.present !== null)
+    this.stores.experiments.leave(false)
+    this.stores.setup.take(setup)
     this.promised = hash === undefined ? undefined : { hash, at: iteration }
     this.restart({ at: iteration, play: false }, request)
   }
@@ -87,23 +90,38 @@ export class Starts {
     this.stores.followers.stop()
     this.stores.run.verified = null
     const { present } = this.stores.scene
-    return present ? this.stores.playback.start(this.stores.setup.wanted(present), this.stores.parameters.checks, opening, since) : 0
+    if (!present) return 0
+    const setup = this.stores.setup.wanted(present)
+    this.stores.experiments.want(setup)
+    return this.stores.playback.start(setup, this.stores.parameters.checks, opening, since)
   }
 
   begin(opening: Opening): number {
+    this.stores.experiments.leave(false)
     this.promised = undefined
     return this.restart(opening)
   }
 
-  again(where: Again = 'begin', since?: number): number {
+  again(where: Again = 'here', since?: number): number {
     this.promised = undefined
-    const { playback, run } = this.stores
+    const { experiments, playback, run } = this.stores
     const scene = this.stores.scene.present
+    if (where !== 'on') experiments.leave(true)
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     if (scene && (scene.kind !== run.present?.scene.kind || scene.name !== run.present.scene.name)) this.stores.setup.suit(scene)
     if (where === 'on' || (where === 'here' && playback.restarting)) return this.restart(playback.requested, since)
-    const at = where === 'here' && !run.finished ? (playback.target ?? playback.iteration) : 0
-    return this.restart({ at, play: playback.playing || !run.present || (run.finished && !stillness.matches) }, since)
+    if (where === 'here' && run.present) return this.restart({ at: playback.target ?? playback.iteration, play: playback.playing }, since)
+    return this.restart({ at: 0, play: playback.playing || !run.present || (run.finished && !stillness.matches) }, since)
+  }
+
+  /** Back to another experiment, where it stood. */
+  travel(by: 'undo' | 'redo'): void {
+    const found = this.stores.experiments.travel(by)
+    if (!found || typeof found.setup.scene !== 'object') return
+    const { planner, params = {}, seed = 0, scene } = found.setup
+    this.stores.setup.take({ planner, scene, params: params as LinkSetup['params'], seed } as LinkSetup)
+    this.promised = undefined
+    this.restart({ at: found.iteration, play: false })
   }
 
   /** The run that change number `version` wanted is refused. */
@@ -116,6 +134,8 @@ export class Starts {
     }
     // What else was wanted with a value that is taken back is still wanted.
     const back = parameters.refuse(refusal, version)
+    const { present } = this.stores.scene
+    if (back && present) this.stores.experiments.want(setup.wanted(present))
     if (back && !this.client.starting && setup.differsFrom(this.client.desired.start?.setup)) this.restart(playback.requested)
   }
 

@@ -16,8 +16,8 @@ export const en = {
     },
   },
   bar: {
-    undo: 'Undo the edit',
-    redo: 'Redo the edit',
+    undo: 'Undo the change',
+    redo: 'Redo the change',
     copy: 'Copy link',
     copied: 'Link copied',
     tooLarge: 'With this scene a link is longer than 8 kB, and many programs cut it off. Save the run, or its scene, as a file instead.',

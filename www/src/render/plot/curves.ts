@@ -51,3 +51,10 @@ export function sample(length: number, count: number): number[] {
   if (length <= count) return Array.from({ length }, (_, at) => at)
   return Array.from({ length: count }, (_, at) => Math.round((at * (length - 1)) / (count - 1)))
 }
+
+/** The first of the curves at these iterations: each value holds until the next; beyond its end there is none. */
+export function sampled(of: Curves, iterations: readonly number[]): (number | null)[] {
+  const [values = []] = of.values
+  const [first = 0, last = 0] = [of.iterations[0], of.iterations.at(-1)]
+  return iterations.map((at) => (at < first || at > last ? null : (values[pointAt(of, at)] ?? null)))
+}

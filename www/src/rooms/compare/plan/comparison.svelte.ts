@@ -152,8 +152,8 @@ export class Comparison {
     this.set(scene, { entrants: planners, ...seeds, budget: 'own' })
   }
 
-  private set(name: string, plan: { entrants: Preset['entrants']; from: number; count: number; budget: Budget }): boolean {
-    const scene = this.lab.setup.catalogue?.scenes.find((shipped) => shipped.name === name)
+  private set(name: string | Scene, plan: { entrants: Preset['entrants']; from: number; count: number; budget: Budget }): boolean {
+    const scene = typeof name === 'object' ? name : this.lab.setup.catalogue?.scenes.find((shipped) => shipped.name === name)
     if (!scene) return false
     this.requests.note(GROUND)
     this.scene = scene

@@ -1,0 +1,98 @@
+import type { Point, UncheckedSetup } from 'forage-lab'
+import { sameScene } from '../scene/equality'
+import { type History, historyOf } from './curve'
+import type { PlaybackStore } from './playback.svelte'
+import type { RunStore } from './run.svelte'
+
+/** What a run had shown when it was left. */
+export interface Ghost {
+  curve: History
+  path: readonly Point[] | null
+  /** The length of the result, or what it cost. */
+  value: number | null
+}
+
+/** A run that was looked at, and where it stood. */
+export interface Experiment {
+  setup: UncheckedSetup
+  iteration: number
+  ghost: Ghost | null
+}
+
+/** More of them nobody goes back. */
+const DEPTH = 50
+
+const same = (a: UncheckedSetup, b: UncheckedSetup): boolean =>
+  a.planner === b.planner &&
+  a.seed === b.seed &&
+  JSON.stringify(a.params) === JSON.stringify(b.params) &&
+  typeof a.scene === 'object' &&
+  typeof b.scene === 'object' &&
+  sameScene(a.scene, b.scene)
+
+/** What was looked at before, and where each change led away from it: a change loses nothing. */
+export class ExperimentsStore {
+  private past = $state.raw<readonly Experiment[]>([])
+  private future = $state.raw<readonly Experiment[]>([])
+  /** What the present run is compared with: it was left for this one. */
+  shown = $state.raw<Experiment | null>(null)
+  /** What is wanted now. */
+  private current: UncheckedSetup | null = null
+
+  readonly canUndo = $derived(this.past.length > 0)
+  readonly canRedo = $derived(this.future.length > 0)
+
+  constructor(
+    private readonly run: () => RunStore,
+    private readonly playback: () => PlaybackStore,
+  ) {}
+
+  /** A run is wanted. */
+  want(setup: UncheckedSetup): void {
+    this.current = setup
+  }
+
+  /** The present run is left for another. `compares`: that one is to be compared with it. */
+  leave(compares: boolean): void {
+    const left = this.snapshot()
+    if (!left) return
+    this.past = [...this.past, left].slice(-DEPTH)
+    this.future = []
+    this.shown = compares && left.ghost ? left : null
+  }
+
+  dismiss = (): void => {
+    this.shown = null
+  }
+
+  /** The experiment before the present one, or the one that was undone last; null if there is none. */
+  travel(by: 'undo' | 'redo'): Experiment | null {
+    const { current } = this
+    const [from, to] = by === 'undo' ? [this.past, this.future] : [this.future, this.past]
+    // What was refused, or let go of, led nowhere.
+    const rest = [...from]
+    let found = rest.pop()
+    while (found && current && same(found.setup, current)) found = rest.pop()
+    const left = this.snapshot()
+    const grown = found && left ? [...to, left] : to
+    if (by === 'undo') [this.past, this.future] = [rest, grown]
+    else [this.future, this.past] = [rest, grown]
+    if (found) this.shown = left?.ghost ? left : null
+    return found ?? null
+  }
+
+  private snapshot(): Experiment | null {
+    const { current } = this
+    const [run, playback] = [this.run(), this.playback()]
+    if (!current || !run.present) return null
+    const { iteration, stale } = playback
+    const { outcome } = run
+    const ghost = !stale &&
+      iteration > 0 && {
+        curve: historyOf(run.course.curve),
+        path: outcome?.path ?? null,
+        value: outcome?.length ?? outcome?.cost ?? null,
+      }
+    return { setup: current, iteration: playback.restarting ? playback.requested.at : iteration, ghost: ghost || null }
+  }
+}
