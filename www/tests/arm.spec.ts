@@ -300,7 +300,7 @@ test('the scene is edited with the keyboard alone', async ({ lab, page }) => {
     await page.keyboard.press('n')
     await expect(page.getByTestId('space-selected')).toHaveText(new RegExp(`^${name}`))
   }
-  for (const key of ['p', 'p', 'ArrowRight', 'ArrowUp', 'PageUp']) await page.keyboard.press(key)
+  for (const key of ['Shift+N', 'Shift+N', 'ArrowRight', 'ArrowUp', 'PageUp']) await page.keyboard.press(key)
   const moved = (await sceneAt(lab, 2)).cuboids[0]
   near(moved?.min, from(cuboid.min, 0.01, 0.01, 0.01), 1e-9)
   near(moved?.max, from(cuboid.max, 0.01, 0.01, 0.01), 1e-9)
@@ -397,6 +397,7 @@ test.describe('on a phone', () => {
     await page.getByTestId('view-corner').click()
     await lab.layer('nodes', false)
     await lab.layer('samples', false)
+    await page.getByTestId('fold-legend').click()
     await page.touchscreen.tap(at.x, at.y)
     await expect(page.getByTestId('space-selected')).toHaveText(/^cuboid 1/)
     // Beside the dots that move its faces.

@@ -97,6 +97,7 @@ test('on the stage, keys are for the drive’s time; Escape leads back, a step o
 
   await page.getByTestId('tool-drive').click()
   await expect(page.getByTestId('drive-layer')).toHaveCount(1)
+  await lab.tab('chart')
   await page.getByTestId('chart-plot').press('ArrowLeft')
   await expect(page.getByTestId('drive-layer')).toHaveCount(0)
   await lab.settled(29)
@@ -191,10 +192,12 @@ test('other parameters of the drive: the result’s own figures say that they ar
   await lab.section('result')
   const told = page.getByTestId('result-drive')
   await expect(told).not.toContainText(closer.result.driveDefault)
+  await lab.section('drive')
   await page.getByText(text.parameters, { exact: true }).click()
   const field = page.getByTestId('drive').locator('[data-parameter="look_ahead"] input.typed')
   await field.fill('2')
   await field.press('Enter')
+  await lab.section('result')
   await expect(told).toContainText(closer.result.driveDefault)
 })
 

@@ -42,7 +42,9 @@ test('the published case is one choice away; played to its end it arrives, and t
   await expect(page.getByTestId('event-rail')).toHaveCount(0)
   await page.getByTestId('speed').selectOption('Infinity')
   await page.getByTestId('case').selectOption({ label: presets.cases['moving-ants'] })
+  await lab.tab('explain')
   await expect(page.getByTestId('case-see')).toContainText(sights['moving-ants'])
+  await lab.tab('chart')
   await expect(page.getByTestId('planner')).toHaveValue('wolf-ant-drive')
   await expect(page.getByTestId('scene')).toHaveValue('wolf-ant-20')
 
@@ -211,6 +213,8 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await lab.settled()
         for (const id of ['events', 'result']) await lab.section(id)
         await expect(rows(page).first()).toBeVisible()
+        expect(await wrong(lab)).toEqual([])
+        if (screen === 'phone') await lab.peek()
         await marks(page).first().hover()
         await expect(page.getByTestId('event-words')).toBeVisible()
         expect(await wrong(lab)).toEqual([])

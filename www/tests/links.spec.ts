@@ -10,7 +10,7 @@ test('a link opened elsewhere shows the same state and the same picture', { tag:
   const scene = sceneOf({})
   if (scene.kind !== 'discs') throw new Error(scene.kind)
   await lab.dragFrom(await lab.whereIs(scene, scene.discs[2]?.center ?? [0, 0]), -30, 60)
-  await expect.poll(() => lab.iteration()).toBeLessThan(30)
+  await lab.restarted()
   const hash = await lab.seek(45)
   const link = await lab.link(hash)
   const setup = verified(link)
@@ -21,7 +21,8 @@ test('a link opened elsewhere shows the same state and the same picture', { tag:
   await other.open(link)
   expect(await other.settled(45)).toBe(hash)
 
-  // What is selected doesn't belong to a link.
+  // Neither what is selected nor the run before belongs to a link.
+  await lab.page.getByTestId('fork-dismiss').click()
   await lab.stage.focus()
   await lab.page.keyboard.press('Escape')
   expect(await lab.wholePicture()).toEqual(await other.wholePicture())
@@ -87,7 +88,7 @@ test('a view has an address that outlasts a reload, and the browser goes back to
   await lab.open(linkTo({ seed: 7 }, 30))
   const hash = await lab.settled(30)
   await page.getByTestId('view-compare').click()
-  await expect(page).toHaveURL(/#view=race/)
+  await expect(page).toHaveURL(/#view=compare/)
   await expect(page.getByTestId('race')).toBeVisible()
   await page.getByTestId('view-papers').click()
   await page.goBack()
@@ -103,7 +104,7 @@ test('a view has an address that outlasts a reload, and the browser goes back to
   await expect(page.getByTestId('race')).toHaveAttribute('data-still', 'true')
   // The run behind it is there by now, with a link of its own.
   await lab.settled()
-  await expect(page).toHaveURL(/#view=race&/)
+  await expect(page).toHaveURL(/#view=compare&as=watch&/)
   await page.goBack()
   expect(await lab.settled(30)).toBe(hash)
 })
@@ -147,7 +148,7 @@ test('a link says what is explained, which layers are shown, and what is in view
   // What is changed is changed there, and the core takes the link as it is.
   await lab.press(en.stage.fit)
   await page.getByRole('button', { name: 'Close the inspection' }).click()
-  await expect(page).toHaveURL(/hash=[0-9a-f]{16}&page\.layers=velocities,-particles$/)
+  await expect(page).toHaveURL(/hash=[0-9a-f]{16}&page\.layers=velocities,-particles&page\.tab=explain$/)
   expect(verified(new URL(page.url()).hash)).toMatchObject({ seed: 7, iteration: 30 })
 })
 
@@ -179,7 +180,7 @@ test('a race has an address: its scene, seed, lanes and time; it can be copied, 
   const race = new Race(page)
   await expect(race.root).toHaveAttribute('data-still', 'true')
   const before = await race.seek(3000)
-  await expect(page).toHaveURL(/#view=race&scene=[^&]{50,}&seed=9&with=cpso;population=40(,\w+){3}&at=3000$/)
+  await expect(page).toHaveURL(/#view=compare&as=watch&scene=[^&]{50,}&seeds=9-58&with=cpso;population=40(,\w+){3}&at=3000$/)
   await lab.press(en.bar.copy)
   const copied = await page.evaluate(() => navigator.clipboard.readText())
   expect(copied).toBe(page.url())
@@ -192,9 +193,9 @@ test('a race has an address: its scene, seed, lanes and time; it can be copied, 
 
   // Another address in the open page; who can't be had is said.
   await page.evaluate(() => (location.hash = '#view=race&scene=sphere&seed=2&with=pso,nobody,qpso&at=900'))
-  await expect(page.getByTestId('race')).toContainText('nobody')
+  await expect(page.getByTestId('compare')).toContainText('nobody')
   await expect(race.lanes).toHaveCount(2)
-  await expect(page).toHaveURL(/scene=sphere&seed=2&with=pso,qpso&at=900$/)
+  await expect(page).toHaveURL(/scene=sphere&seeds=2-51&budget=own&with=pso,qpso&at=900$/)
   await page.reload()
   await expect(race.lanes).toHaveCount(2)
   await expect(race.root).toHaveAttribute('data-clock', '900')

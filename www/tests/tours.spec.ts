@@ -105,6 +105,7 @@ test('the bats’ numbers are the core’s: bars, words and lengths; a head sort
   page,
 }) => {
   await begin(lab)
+  await lab.tab('explain')
   const members = membersAt(SETUP, AT)
   const table = page.getByRole('grid', { name: 'Bats' })
   await expect(table).toHaveAttribute('aria-rowcount', String(members.length + 1))
@@ -151,6 +152,7 @@ test('the bats’ numbers are the core’s: bars, words and lengths; a head sort
 
 test('a bat that is picked tells what it did; where its tour differs is marked', async ({ lab, page }) => {
   await begin(lab)
+  await lab.tab('explain')
   const members = membersAt(SETUP, AT)
   const member = members.findIndex(({ different }) => different > 1)
   const inspection = sessionAt(SETUP, AT, (session) => session.inspect({ role: 'tours', index: member }))
@@ -188,6 +190,7 @@ test('a bat that is picked tells what it did; where its tour differs is marked',
 
 test('with the keyboard alone: rows, both ends, pages, and looking closer', async ({ lab, page }) => {
   await begin(lab)
+  await lab.tab('explain')
   const table = page.getByTestId('member-table')
   await table.focus()
   const active = async (): Promise<string | null> => {
@@ -215,6 +218,7 @@ test('with the keyboard alone: rows, both ends, pages, and looking closer', asyn
 
 test('all tours are shown on demand, and the legend agrees', async ({ lab, page }) => {
   await begin(lab)
+  await lab.tab('explain')
   const { digest } = await lab.wholePicture()
   await page.getByTestId('members-layer').check()
   await expect(page.getByTestId('layer-tours')).toBeChecked()
@@ -260,6 +264,7 @@ test('the curve of a run of two parts begins where there is a tour, and every re
 test('thousands of bats: only the rows that are seen are there', async ({ lab, page }) => {
   const setup = { ...SETUP, params: { ...SETUP.params, population: 4000 } }
   await begin(lab, 12, setup)
+  await lab.tab('explain')
   const table = page.getByTestId('member-table')
   await expect(table).toHaveAttribute('aria-rowcount', '4001')
   expect(await table.locator('[data-member]').count()).toBeLessThan(40)
@@ -279,8 +284,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
         page,
       }) => {
         await begin(lab)
-        for (const id of ['members', 'inspect', 'result', 'readings']) await lab.section(id)
+        for (const id of ['readings', 'result']) await lab.section(id)
         await expect(page.getByTestId('tour-order')).toBeVisible()
+        expect(await violations(lab)).toEqual([])
+        await lab.section('members')
         await page.getByTestId('member-table').locator('[data-member="2"]').click()
         await expect(page.getByTestId('inspect').locator('table')).toBeVisible()
         expect(await violations(lab)).toEqual([])

@@ -6,6 +6,9 @@ import { Outlet } from '../render/outlet'
 import type { LayersStore } from './layers.svelte'
 import type { Camera } from './page-keys'
 
+/** What the first picture did not need comes so many milliseconds after it. */
+const PAUSE = 20
+
 /** The run's picture on its way to whom it is drawn by, and what of the plane is seen. */
 export class PictureStore {
   /** What the stage shows of the plane, or from where space is seen; null: all of the scene. */
@@ -16,6 +19,7 @@ export class PictureStore {
   anchors = $state.raw<Anchors | null>(null)
   /** The first picture is on the screen: what it did not need may come. */
   drawn = $state(false)
+  private begun = false
   readonly frames: Outlet
 
   constructor(
@@ -40,9 +44,11 @@ export class PictureStore {
 
   /** The first picture is on the screen. */
   readonly seen = (): void => {
-    if (this.drawn) return
+    if (this.begun) return
+    this.begun = true
     performance.mark('first-picture')
-    this.drawn = true
+    // The next frame is the picture's, too.
+    setTimeout(() => (this.drawn = true), PAUSE)
     this.client.want({ links: true })
   }
 

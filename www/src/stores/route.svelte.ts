@@ -5,11 +5,11 @@ export const VIEWS = ['learn', 'lab', 'compare', 'papers'] as const
 export type View = (typeof VIEWS)[number]
 
 /** Older addresses, and what they were of in today's words. */
-const HEIRS: Readonly<Record<string, readonly [View, string]>> = {
-  stage: ['lab', ''],
-  race: ['compare', '&as=watch&budget=own'],
-  batch: ['compare', '&as=statistics&budget=own'],
-}
+const HEIRS = new Map<string, readonly [View, string]>([
+  ['stage', ['lab', '']],
+  ['race', ['compare', '&as=watch&budget=own']],
+  ['batch', ['compare', '&as=statistics&budget=own']],
+])
 
 const PREFIX = '#view='
 /** While a run plays, its link is written seldom, in milliseconds. Browsers count how often an address changes: a burst of edits is written once. */
@@ -20,7 +20,7 @@ const LEAST = 300
 function placeOf(hash: string): { view: View; keys: string } | undefined {
   const [name = '', ...rest] = hash.startsWith(PREFIX) ? hash.slice(PREFIX.length).split('&') : []
   const keys = rest.map((pair) => `&${pair}`).join('')
-  const [heir, meant] = HEIRS[name] ?? []
+  const [heir, meant] = HEIRS.get(name) ?? []
   if (heir) return { view: heir, keys: meant + keys }
   const view = VIEWS.find((known) => known === name)
   return view && { view, keys }

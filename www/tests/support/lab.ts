@@ -15,6 +15,7 @@ const TABS: Readonly<Record<string, 'explain' | 'chart'>> = {
   inspect: 'explain',
   formulas: 'explain',
   members: 'explain',
+  joints: 'explain',
   chart: 'chart',
   events: 'chart',
   readings: 'chart',
@@ -102,6 +103,19 @@ export class Lab {
   /** Shows a tab of the column. */
   async tab(name: 'explain' | 'chart' | 'setup'): Promise<void> {
     await this.page.getByTestId(`tab-${name}`).click()
+  }
+
+  /** Of what is in a menu on small screens. */
+  async choose(action: 'export' | 'embed' | 'keys' | 'theme' | 'present'): Promise<void> {
+    const more = this.page.getByTestId('more')
+    if (await more.isVisible()) await more.click()
+    await this.page.getByTestId(action).click()
+  }
+
+  /** On a small screen: gives the stage all the room that there is. */
+  async peek(): Promise<void> {
+    const smaller = this.page.getByTestId('sheet-smaller')
+    while (await smaller.isEnabled()) await smaller.click()
   }
 
   /** Opens one of the panels, if it is closed, on the tab that has it. */

@@ -1,6 +1,6 @@
 /** Text about arms: loaded with the first one. */
 export const arm = {
-  sections: { motion: 'Motion', postures: 'Postures of a point', survey: 'Reachable workspace', joints: 'In joint space' },
+  sections: { motion: 'Motion', postures: 'Postures of a point', survey: 'Reachable workspace' },
   motion: {
     begin: 'Let the arm follow the path',
     notYet: 'As soon as a path has been found.',

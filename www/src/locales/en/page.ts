@@ -146,6 +146,7 @@ export const en = {
     drive: 'Drive',
     members: 'Members',
     inspect: 'Explain',
+    joints: 'In joint space',
     parameters: 'Parameters',
     scene: 'Scene',
     result: 'Result',
