@@ -294,12 +294,13 @@ for (const colorScheme of ['light', 'dark'] as const) {
         expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
         if (screen !== 'phone') return
         const low = await page
-          .locator('[data-testid="members"], [data-testid="tour-order"]')
+          .locator('[data-testid="members"]')
           .locator('button, label, [data-member]')
           .evaluateAll((controls) =>
             controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML),
           )
         expect(low).toEqual([])
+        await lab.peek()
         const [label, buttons] = [await page.getByTestId('parts').boundingBox(), await page.getByTestId('play').boundingBox()]
         expect((label?.y ?? 0) + (label?.height ?? 0)).toBeLessThanOrEqual(buttons?.y ?? 0)
       })
