@@ -1,5 +1,8 @@
 import type { DiscsScene, Point, Scene } from '../../pkg/node.js'
-import { hashOf, linkTo, sceneOf, verified } from './support/core'
+import { forks } from '../src/locales/en/forks'
+import { panels } from '../src/locales/en/panels'
+import { number } from '../src/text/number'
+import { hashOf, linkTo, outcomeOf, sceneOf, verified } from './support/core'
 import { en, expect, HASH, type Lab, test } from './support/lab'
 
 function discs(scene: Scene): DiscsScene {
@@ -116,4 +119,31 @@ test('a planner that doesn’t run here brings a scene of its own; undone, the o
   await expect(page.getByTestId('scene')).toHaveValue('wcpso-discs')
   expect(await lab.settled(8)).toBe(before)
   await expect(page.getByTestId('planner')).toHaveValue('wcpso')
+})
+
+test('a changed parameter keeps the run before it as a ghost; both open in Compare, and the ghost is put away', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 40))
+  const before = await lab.settled(40)
+  const whole = await lab.wholePicture()
+  const w = (await lab.section('parameters')).locator('[data-parameter="w_max"] input.typed')
+  await w.fill('0.5')
+  await w.press('Enter')
+  await lab.restarted()
+  const hash = await lab.settled(40)
+  expect(hash).toBe(hashOf({ params: { w_max: 0.5 } }, 40))
+  const fork = page.getByTestId('fork')
+  await expect(fork).toContainText(forks.before(number(outcomeOf({}, 40).length, 6), '40'))
+  await lab.tab('chart')
+  await expect(page.getByTestId('chart')).toContainText(panels.chart.before)
+  await page.getByTestId('fork-compare').click()
+  await expect(page.getByTestId('lane')).toHaveCount(2)
+  await expect(page).toHaveURL(/with=wcpso,wcpso;w_max=0.5/)
+  await page.goBack()
+  expect(await lab.settled(40)).toBe(hash)
+  await page.getByTestId('fork-undo').click()
+  expect(await lab.settled(40)).toBe(before)
+  await expect(fork).toBeVisible()
+  await page.getByTestId('fork-dismiss').click()
+  await expect(fork).toHaveCount(0)
+  await expect.poll(async () => (await lab.wholePicture()).digest).toBe(whole.digest)
 })

@@ -3,7 +3,7 @@ import { FAMILIES } from '../src/catalogue/families'
 import { STANDARD } from '../src/catalogue/standard'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, verified } from './support/core'
-import { expect, test } from './support/lab'
+import { en, expect, test } from './support/lab'
 
 const PARTICLE = `${linkTo({ planner: 'pso', params: { population: 20 } }, 40)}&page.item=particles.17`
 
@@ -84,6 +84,16 @@ test('a newcomer sees a swarm at work, drags a disc, and finds six families', as
   await lab.dragFrom(await lab.whereIs(disc, disc.discs[0].center, true), 30, 10)
   await expect(page.getByText(text.dragged)).toBeVisible()
   await expect.poll(() => lab.iteration()).toBeGreaterThan(3)
+  // Whoever clicks a particle is told what it does, and led on.
+  await lab.press(en.transport.pause)
+  await lab.settled()
+  await lab.stage.click({ position: { x: 5, y: 5 } })
+  const goal = await lab.whereIs(disc, disc.goal, true)
+  await page.mouse.click(goal.x - 16, goal.y + 16)
+  await expect(page.getByTestId('learn-sentence')).toContainText(/^Particle \d+/)
+  await page.getByTestId('learn-why').click()
+  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText(/^Particle \d+$/)
+  await page.goBack()
   for (const { name } of FAMILIES) {
     const card = page.getByTestId(`family-${name}`)
     await card.scrollIntoViewIfNeeded()

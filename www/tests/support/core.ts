@@ -1,4 +1,14 @@
-import { catalogue, parseLink, type Scene, Session, type Setup, Trial, type TrialRecord, type UncheckedSetup } from '../../../pkg/node.js'
+import {
+  catalogue,
+  type Outcome,
+  parseLink,
+  type Scene,
+  Session,
+  type Setup,
+  Trial,
+  type TrialRecord,
+  type UncheckedSetup,
+} from '../../../pkg/node.js'
 import { iterationsFor } from '../../src/rooms/compare/plan/plan'
 
 /* The same core under Node: what the page must agree with to the bit. */
@@ -19,6 +29,9 @@ export const hashOf = (setup: Partial<UncheckedSetup>, iteration: number): strin
 
 export const linkTo = (setup: Partial<UncheckedSetup>, iteration: number): string =>
   sessionAt(setup, iteration, (session) => session.link())
+
+export const outcomeOf = (setup: Partial<UncheckedSetup>, iteration: number): Outcome =>
+  sessionAt(setup, iteration, (session) => session.outcome())
 
 export const sceneOf = (setup: Partial<UncheckedSetup>): Scene => sessionAt(setup, 0, (session) => session.scene)
 

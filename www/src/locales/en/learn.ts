@@ -4,6 +4,7 @@ export const learn = {
   lead: 'Each line is a particle: it remembers its best way, and hears of the best of all.',
   prompt: 'Drag a disc',
   dragged: 'The swarm begins again',
+  why: 'Why? See the numbers in the Lab',
   open: 'Open in the Lab',
   families: {
     title: 'Six ways to find a way',

@@ -42,6 +42,7 @@ export const panels = {
     logHint: 'A logarithmic scale needs positive values.',
     iteration: 'iteration',
     exact: 'exact optimum',
+    before: 'before the change',
     empty: 'The curve appears with the first iteration.',
     nothing: 'Nothing to draw yet: the curve begins with the first result.',
     table: 'The curve as a table',
