@@ -39,8 +39,6 @@ export class Comparison {
   notice = $state('')
   /** What the core said to runs that it refused, by key. */
   refusals = $state.raw<Readonly<Record<string, string>>>({})
-  /** Grows with each plan that is opened as a whole: by address, preset or proposal. */
-  opened = $state(0)
 
   /** What there is to do on scenes that leave a choice. */
   private chosen = $state<Task>('path')
@@ -111,7 +109,7 @@ export class Comparison {
     this.entrants = this.rivals(own)
   }
 
-  /** A planner and those of its family; whoever is there, where it has none. */
+  /** A planner and those of its family; another planner, where it has none. */
   private rivals(own: Planner | undefined): Entrant[] {
     const { scene, suitable } = this
     const first = suitable.find((planner) => planner === own) ?? suitable[0]
@@ -170,7 +168,6 @@ export class Comparison {
     this.count = plan.count
     this.budget = plan.budget
     this.drafts = {}
-    this.opened += 1
     this.settleTask()
     this.changed()
   }

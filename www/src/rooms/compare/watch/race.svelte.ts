@@ -1,11 +1,10 @@
-import type { Planner, Scene } from 'forage-lab'
+import type { Scene } from 'forage-lab'
 import { perLab } from '../../../stores/context.svelte'
 import type { Lab } from '../../../stores/lab.svelte'
 import { sameScene } from '../../../scene/equality'
 import { route } from '../../../stores/route.svelte'
 import type { Size, View } from '../../../render/view'
 import { type Comparison, comparisonOf } from '../plan/comparison.svelte'
-import type { Standing } from '../plan/standing'
 import { Lane } from './lane.svelte'
 import { Times } from './times.svelte'
 import type { Side } from '../../../render/space/orbit'
@@ -36,20 +35,12 @@ export class Race extends Times {
     return this.comparison.allowance
   }
 
-  plannerOf = ({ slot }: Lane): Planner | undefined => this.standingOf(slot)?.planner
-
-  labelOf = ({ slot, planner }: Lane): string => this.standingOf(slot)?.label ?? planner
-
-  private standingOf(slot: number): Standing | undefined {
-    return this.comparison.standings.find(({ entrant }) => entrant.slot === slot)
-  }
-
   /** Goes over to what is compared now: on another scene or seed all begin again, else those that run otherwise. */
   follow = async (): Promise<void> => {
     const { scene, from, active, waiting } = this.comparison
     if (!scene || waiting) return
     const again = from !== this.seed || !this.scene || !sameScene(scene, this.scene)
-    if (again) this.view = this.scene && sameScene(scene, this.scene) ? this.view : null
+    if (!this.scene || !sameScene(scene, this.scene)) this.view = null
     this.scene = scene
     this.seed = from
     const kept = new Map(this.lanes.map((lane) => [lane.slot, lane]))
