@@ -154,7 +154,7 @@ test.describe('without motion', () => {
       await expect(page.locator(`[data-testid=batch-row][data-planner=${planner}][data-seed="1"]`)).toHaveAttribute('data-hash', hash)
   })
 
-  test('another scene leaves out whoever does not run on it; where nobody does, others come', async ({ lab, page }) => {
+  test('another scene leaves out planners that do not run on it; where none does, others come', async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'trees')
     await page.getByTestId('compare-scene').selectOption('ant-bat-30')

@@ -84,7 +84,7 @@ test('a newcomer sees a swarm at work, drags a disc, and finds six families', as
   await lab.dragFrom(await lab.whereIs(disc, disc.discs[0].center, true), 30, 10)
   await expect(page.getByText(text.dragged)).toBeVisible()
   await expect.poll(() => lab.iteration()).toBeGreaterThan(3)
-  // Whoever clicks a particle is told what it does, and led on.
+  // A clicked particle has a sentence, and a way on.
   await lab.press(en.transport.pause)
   await lab.settled()
   await lab.stage.click({ position: { x: 5, y: 5 } })

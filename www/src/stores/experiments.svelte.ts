@@ -38,6 +38,9 @@ export class ExperimentsStore {
   shown = $state.raw<Experiment | null>(null)
   /** What is wanted now. */
   private current: UncheckedSetup | null = null
+  /** How it was before the newest change. */
+  private before: { setup: UncheckedSetup; past: readonly Experiment[]; future: readonly Experiment[]; shown: Experiment | null } | null =
+    null
 
   readonly canUndo = $derived(this.past.length > 0)
   readonly canRedo = $derived(this.future.length > 0)
@@ -50,12 +53,17 @@ export class ExperimentsStore {
   /** A run is wanted. */
   want(setup: UncheckedSetup): void {
     this.current = setup
+    if (!this.before || !same(setup, this.before.setup)) return
+    // What was refused, or let go of, led nowhere.
+    const { past, future, shown } = this.before
+    Object.assign(this, { past, future, shown, before: null })
   }
 
   /** The present run is left for another. `compares`: that one is to be compared with it. */
   leave(compares: boolean): void {
     const left = this.snapshot()
     if (!left) return
+    this.before = { setup: left.setup, past: this.past, future: this.future, shown: this.shown }
     this.past = [...this.past, left].slice(-DEPTH)
     this.future = []
     this.shown = compares && left.ghost ? left : null
@@ -67,12 +75,10 @@ export class ExperimentsStore {
 
   /** The experiment before the present one, or the one that was undone last; null if there is none. */
   travel(by: 'undo' | 'redo'): Experiment | null {
-    const { current } = this
+    this.before = null
     const [from, to] = by === 'undo' ? [this.past, this.future] : [this.future, this.past]
-    // What was refused, or let go of, led nowhere.
     const rest = [...from]
-    let found = rest.pop()
-    while (found && current && same(found.setup, current)) found = rest.pop()
+    const found = rest.pop()
     const left = this.snapshot()
     const grown = found && left ? [...to, left] : to
     if (by === 'undo') [this.past, this.future] = [rest, grown]

@@ -139,16 +139,24 @@ test('a change leaves a run that can be gone back to, where it stood, and forwar
   expect([lab.scene.present === edited, lab.parameters.values, lab.experiments.canRedo]).toEqual([true, { w: 2 }, false])
 })
 
-test('what is refused is no step back', async () => {
+test('what is refused, or let go of, is no step', async () => {
   lab.playback.seek(20)
   await atRest(20)
   void lab.parameters.set('w', 2)
   await atRest(20)
-  void lab.parameters.set('w', -1)
-  await worker.receiveAll()
   lab.undo()
   await atRest(20)
+  void lab.parameters.set('w', -1)
+  await worker.receiveAll()
   expect(lab.parameters.values).toEqual({})
+  // Nor is what is let go of: what was undone can still be done again.
+  if (lab.scene.discs) lab.scene.drag({ ...lab.scene.discs, discs: [] })
+  lab.scene.abandon()
+  await atRest(20)
+  expect([lab.experiments.canUndo, lab.experiments.canRedo]).toEqual([false, true])
+  lab.redo()
+  await atRest(20)
+  expect(lab.parameters.values).toEqual({ w: 2 })
 })
 
 test('a seek after two changes holds for the run with both', async () => {

@@ -18,7 +18,7 @@ export interface ProposedComparison {
   seeds: { from: number; count: number }
 }
 
-/** What one room asks another to set up: whoever opens takes it and puts null in its place. */
+/** What one room asks another to set up: the other takes it when it opens, and puts null in its place. */
 class Proposed {
   comparison = $state.raw<ProposedComparison | null>(null)
 }
