@@ -136,19 +136,16 @@ impl Explain for @TYPE@ {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         let here = item.layer == CORNER.key && item.index == 0;
         here.then(|| Inspection {
-            item,
-            title: message!("@NAME@-corner", "Corner"),
-            event: "drawn",
-            summary: message!("@NAME@-drawn", "It was drawn uniformly in the scene."),
             values: vec![
                 label!("@NAME@-x", "x", "x", "x coordinate").is(self.corner[0]),
                 label!("@NAME@-y", "y", "y", "y coordinate").is(self.corner[1]),
             ],
-            formulas: Vec::new(),
-            columns: Vec::new(),
-            labels: Vec::new(),
-            rows: Vec::new(),
-            marks: Vec::new(),
+            ..Inspection::new(
+                item,
+                message!("@NAME@-corner", "Corner"),
+                "drawn",
+                message!("@NAME@-drawn", "It was drawn uniformly in the scene."),
+            )
         })
     }
 }

@@ -239,7 +239,7 @@ impl Colony {
     }
 
     /// An ant walks: how many steps it takes.
-    fn send(&mut self) -> u64 {
+    pub(super) fn send(&mut self) -> u64 {
         let (before, begun) = (self.walks.taken, self.rng.clone());
         let greed = self.greed(self.iteration - 1);
         walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut self.rng, &mut self.walks);

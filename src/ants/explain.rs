@@ -2,7 +2,7 @@
 
 use crate::{
     describe::layers,
-    kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
+    kernel::{Inspection, Item, Label, Mark, Quantity, Shape, rng::Stream},
     label, math, message,
     scene::grid::words,
 };
@@ -11,7 +11,7 @@ use super::{
     colony::Colony,
     ground::{Direction, Ground, Heuristic, NOWHERE, theta1},
     update::Update,
-    walk::End,
+    walk::{Ant, End},
 };
 
 /// A cell as an ant sees it that comes there now: as the best way so far does, if that leads through the cell; otherwise
@@ -194,16 +194,13 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     };
     let choice = likeliest.filter(|_| event == "choice");
     Some(Inspection {
-        item,
-        title: words::cell(cells, item.index),
-        event,
-        summary,
         values: choice.map_or(Vec::new(), |d| view.values(d)),
         formulas: choice.map_or(Vec::new(), |_| view.formulas()),
         columns: view.columns(),
         labels: (0..8).map(|d| words::compass(cells, d)).collect(),
         rows: (0..8).map(|d| view.row(d)).collect(),
         marks: choice.map_or(Vec::new(), |_| vec![view.mark()]),
+        ..Inspection::new(item, words::cell(cells, item.index), event, summary)
     })
 }
 
@@ -214,10 +211,23 @@ fn arrival(colony: &Colony, cell: usize) -> (usize, Vec<usize>) {
     way.get(behind.len().wrapping_sub(1)).map_or((NOWHERE, Vec::new()), |&d| (usize::from(d), behind))
 }
 
+/// An ant that walks as the next iteration's do, with other random numbers.
+pub(super) fn other_ant(colony: &Colony, item: Item, others: &Stream) -> Option<Inspection> {
+    let mut next = colony.clone();
+    next.rng.clone_from(others);
+    next.iteration += 1;
+    next.walks.clear();
+    next.send();
+    (item.index < colony.ants).then(|| walked(&next, item, next.walks.ants.first()?)).flatten()
+}
+
 /// How far an ant of this iteration came and what it laid.
 pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
+    walked(colony, item, colony.walks.ants.get(item.index)?)
+}
+
+fn walked(colony: &Colony, item: Item, ant: &Ant) -> Option<Inspection> {
     let ground = &*colony.ground;
-    let ant = colony.walks.ants.get(item.index)?;
     let path: Vec<_> = ground.way(colony.walks.of(ant)).map(|cell| ground.cells.centre(cell)).collect();
     let (i, n) = (item.index, colony.walks.of(ant).len());
     let (event, summary) = match ant.end {
@@ -271,15 +281,10 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
         });
     }
     Some(Inspection {
-        item,
-        title: message!("ants-ant", "Ant {i}", i),
-        event,
-        summary,
         values,
         formulas,
-        columns: Vec::new(),
-        labels: Vec::new(),
-        rows: Vec::new(),
         marks: vec![Mark::plane(layers::AFTER.key, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)],
+        suppositions: vec![label!("ants-other-random-numbers", "random", "r", "with other random numbers")],
+        ..Inspection::new(item, message!("ants-ant", "Ant {i}", i), event, summary)
     })
 }

@@ -134,6 +134,7 @@ pub(super) const LAYERS: &[Layer] = &[
     layers::SMOOTHED.titled("Smoothed", "The shortest way without redundant nodes: the result that is handed over.").when("smooth", "true"),
     layers::CANDIDATES,
     layers::AFTER,
+    layers::SUPPOSED,
 ];
 
 /// What every colony tells.

@@ -4,6 +4,7 @@ use crate::{
     describe::{CONVERGED, Start, layers},
     kernel::{
         Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum, Solution, Started,
+        rng::Stream,
     },
     scene::grid_path::{self},
     settled::SETTLED,
@@ -86,5 +87,9 @@ impl Explain for Colony {
             layer if layer == layers::ANTS.key => explain::ant(self, item),
             _ => None,
         }
+    }
+
+    fn suppose(&self, item: Item, _supposition: &str, others: &Stream) -> Option<Inspection> {
+        explain::other_ant(self, item, others)
     }
 }

@@ -203,6 +203,7 @@ const COGNITIVE_LOOK: Look = look("cognitive", 2.0, 53);
 const SOCIAL_LOOK: Look = look("social", 2.0, 54);
 const VELOCITY_LOOK: Look = Look { dash: &[5.0, 3.0], ..look("ink", 1.5, 55) };
 const JUMP_LOOK: Look = look("hen", 2.25, 56);
+const SUPPOSED_LOOK: Look = Look { point: 8.0, dash: &[2.0, 3.0], ..look("different", 2.25, 58) };
 const DIFFERENT_LOOK: Look = Look { point: 27.0, glyph: Glyph::Ring, shape: Some(Shape::Points), ..look("different", 2.0, 57) };
 /// The edges to choose from.
 pub const CANDIDATES: Layer = layer("candidates", "Candidates", "The steps to choose from.", &CANDIDATES_LOOK).inspection();
@@ -220,6 +221,8 @@ pub const SOCIAL: Layer = layer("social", "Social", "The pull toward the global 
 pub const VELOCITY: Layer = layer("velocity", "Velocity", "The velocity that was carried out.", &VELOCITY_LOOK).inspection();
 /// A jump that a perturbation made.
 pub const JUMP: Layer = layer("jump", "Jump", "The jump that it made.", &JUMP_LOOK).inspection();
+/// What the item would have done.
+pub const SUPPOSED: Layer = layer("supposed", "Supposed", "Where it would have gone.", &SUPPOSED_LOOK).inspection();
 /// Where a tour differs from the best one.
 pub const DIFFERENT: Layer = layer("different", "Different", "Where it differs from the best.", &DIFFERENT_LOOK).inspection();
 

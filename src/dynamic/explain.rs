@@ -71,11 +71,6 @@ pub(super) fn inspect(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     }
 }
 
-fn told(item: Item, title: Message, event: &'static str, summary: Message) -> Inspection {
-    let (values, formulas, columns, labels, rows, marks) = Default::default();
-    Inspection { item, title, event, summary, values, formulas, columns, labels, rows, marks }
-}
-
 /// When an obstacle and the robot come nearest if both go on as they go now.
 fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     let ground = &*dynamic.ground;
@@ -115,7 +110,7 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
         ),
     };
     let title = message!("drive-obstacle", "Obstacle {i}", i = item.index + 1);
-    let mut told = told(item, title, if seen { "seen" } else { "unseen" }, summary);
+    let mut told = Inspection::new(item, title, if seen { "seen" } else { "unseen" }, summary);
     told.values = vec![
         label!("drive-until-nearest", "t", "t^*", "until it is nearest, seconds").is(time),
         label!("drive-rims-then", "d", "d^*", "distance of the rims then").is(least),
@@ -145,7 +140,7 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
 fn event(journey: &Journey, item: Item) -> Option<Inspection> {
     let event = journey.events.get(item.index)?;
     let title = message!("drive-event", "{what}, {time:.1} s", what = title_of(event.kind)?, time = event.time);
-    let mut told = told(item, title, event.kind, event.reason.clone());
+    let mut told = Inspection::new(item, title, event.kind, event.reason.clone());
     told.values = vec![label!("drive-when", "t", "t", "when, seconds").is(event.time)];
     told.marks = vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![event.place])];
     Some(told)

@@ -1,7 +1,7 @@
 //! Facets: abilities that some planners have. A new ability is a new facet: neither the contract nor planners without it
 //! change.
 
-use super::{Event, Inspection, Item, Message, Recommendation, Status};
+use super::{Event, Inspection, Item, Message, Recommendation, Status, rng::Stream};
 
 /// The abilities of a planner beyond the contract, listed by `Facets::default().explain(self).members(self)` and the like.
 #[derive(Default, Clone, Copy)]
@@ -60,6 +60,12 @@ pub trait Explain {
     /// Explains what the next step does to an item; takes that step on a copy. The run asks the state before, so that nothing
     /// has to be recorded in the inner loop for the one particle that somebody may select.
     fn explain_next(&self, _item: Item) -> Option<Inspection> {
+        None
+    }
+    /// Explains what the next step would do to an item with one thing otherwise: one of the `suppositions` of its explanation.
+    /// Takes that step on a copy; `others` are the other random numbers, where those are supposed. Its `after`, `velocity` and
+    /// `jump` marks are shown.
+    fn suppose(&self, _item: Item, _supposition: &str, _others: &Stream) -> Option<Inspection> {
         None
     }
     /// The iteration that created the item, whose step is explained; `None`: the last iteration.

@@ -131,6 +131,27 @@ pub struct Inspection {
     /// Marks to draw over the picture.
     #[cfg_attr(feature = "types", ts(rename = "layers"))]
     pub marks: Vec<Mark>,
+    /// What can be supposed otherwise in this step: [`Run::suppose`](crate::Run::suppose) answers each.
+    pub suppositions: Vec<Label>,
+}
+
+impl Inspection {
+    /// With a title, an event and a sentence; the rest is empty.
+    pub fn new(item: Item, title: Message, event: &'static str, summary: Message) -> Self {
+        Self {
+            item,
+            title,
+            event,
+            summary,
+            values: Vec::new(),
+            formulas: Vec::new(),
+            columns: Vec::new(),
+            labels: Vec::new(),
+            rows: Vec::new(),
+            marks: Vec::new(),
+            suppositions: Vec::new(),
+        }
+    }
 }
 
 /// An inspection's table: a row for each dimension, way-point, sample, …
@@ -146,7 +167,7 @@ pub(crate) struct Table<'a> {
 
 impl Serialize for Inspection {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut out = serializer.serialize_struct("Inspection", 8)?;
+        let mut out = serializer.serialize_struct("Inspection", 9)?;
         out.serialize_field("item", &self.item)?;
         out.serialize_field("title", &self.title)?;
         out.serialize_field("event", self.event)?;
@@ -155,6 +176,7 @@ impl Serialize for Inspection {
         out.serialize_field("formulas", &self.formulas)?;
         out.serialize_field("table", &Table { columns: &self.columns, labels: &self.labels, rows: &self.rows })?;
         out.serialize_field("layers", &self.marks)?;
+        out.serialize_field("suppositions", &self.suppositions)?;
         out.end()
     }
 }

@@ -72,6 +72,15 @@ impl Message {
         Self { key, english, arguments }
     }
 
+    /// For [`message!`](crate::message!): where the English is not inside.
+    // There are hundreds: each is a call and no more.
+    #[doc(hidden)]
+    #[cfg(all(target_arch = "wasm32", not(feature = "english")))]
+    #[inline(never)]
+    pub fn keyed(key: &'static str, arguments: &[(&'static str, &dyn ToArgument)]) -> Self {
+        Self::new(key, Cow::Borrowed(""), arguments.iter().map(|&(name, value)| (name, value.to_argument())).collect())
+    }
+
     /// A text that is said as it is in every language: what is not ours, e.g. the words of a parser.
     pub fn verbatim(text: impl Into<String>) -> Self {
         Self { key: "", english: Cow::Owned(text.into()), arguments: Vec::new() }
@@ -304,15 +313,15 @@ macro_rules! said {
     (@shown $name:ident $one:literal $other:literal) => { if *$name == 1 { $one } else { $other } };
 }
 
+/// Only its key and what goes into it.
 #[cfg(all(target_arch = "wasm32", not(feature = "english")))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! said {
     ($key:literal, $english:literal $(, $name:ident = $value:expr $(=> $one:literal | $other:literal)?)* $(,)?) => {
-        $crate::kernel::Message::new(
+        $crate::kernel::Message::keyed(
             $key,
-            ::std::borrow::Cow::Borrowed(""),
-            ::std::vec![$((stringify!($name), $crate::kernel::message::ToArgument::to_argument(&$value))),*],
+            &[$((stringify!($name), &$value as &dyn $crate::kernel::message::ToArgument)),*],
         )
     };
 }

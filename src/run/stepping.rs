@@ -3,10 +3,12 @@
 use std::{cell::OnceCell, sync::Arc};
 
 use crate::{
-    describe::{Entry, FollowOutcomes, FollowedPath, Registry},
+    describe::{Entry, FollowOutcomes, FollowedPath, Registry, layers},
     kernel::{
         Candidate, Digest, Error, Event, Exact, Frame, Inspection, Item, Readings, ReferenceOptimum, Scene, Solution, Stage, State, Status,
-        Stepped, Stepper, Subtask, SubtaskResult, Timeline, TourEnds, error::list_of,
+        Stepped, Stepper, Subtask, SubtaskResult, Timeline, TourEnds,
+        error::{list_of, one_of},
+        rng::Stream,
     },
     params::{Overrides, Parameters},
 };
@@ -268,6 +270,31 @@ impl Run {
         let told = before.planner.facets().explain.and_then(|explain| explain.explain_next(item));
         self.before = Some(before);
         told
+    }
+
+    /// What an item would have done in the step that [`Run::inspect`] explains if one thing had been otherwise; `draw` numbers the
+    /// other random numbers. It is carried out on a copy and marked as [`layers::SUPPOSED`].
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for what is not among the explanation's `suppositions`.
+    pub fn suppose(&mut self, item: Item, supposition: &str, draw: u64) -> Result<Option<Inspection>, Error> {
+        let Some(told) = self.inspect(item) else { return Ok(None) };
+        let known: Vec<_> = told.suppositions.iter().map(|label| label.name).collect();
+        if !known.contains(&supposition) {
+            return Err(Error::refused("supposition", supposition, one_of(&known)));
+        }
+        let explain = self.at.planner.facets().explain;
+        let made = explain.and_then(|explain| explain.created_at(item)).unwrap_or(self.iteration());
+        let before = self.state_at(made.saturating_sub(1));
+        // From the end, where no planner takes its own.
+        let others = Stream::new(self.seed, u64::MAX - draw);
+        let mut told = before.planner.facets().explain.and_then(|explain| explain.suppose(item, supposition, &others));
+        self.before = Some(before);
+        if let Some(told) = &mut told {
+            told.marks.retain(|mark| [layers::AFTER, layers::VELOCITY, layers::JUMP].iter().any(|layer| layer.key == mark.layer));
+            told.marks.iter_mut().for_each(|mark| mark.layer = layers::SUPPOSED.key);
+        }
+        Ok(told)
     }
 
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.

@@ -26,17 +26,13 @@ impl Search {
         if item.layer != layers::CLOSED.key || cell >= cells.len() || !cells.is_free(cell) {
             return None;
         }
+        let unreached = message!("search-unreached", "The cell has not been reached yet.");
         let mut told = Inspection {
-            item,
-            title: words::cell(cells, cell),
-            event: "unreached",
-            summary: message!("search-unreached", "The cell has not been reached yet."),
             values: self.ahead_of(cell),
             formulas: self.heuristic().into_iter().collect(),
             columns: COLUMNS.to_vec(),
-            labels: Vec::new(),
-            rows: Vec::new(),
             marks: vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![cells.centre(cell)])],
+            ..Inspection::new(item, words::cell(cells, cell), "unreached", unreached)
         };
         if let Some(g) = self.reached(cell) {
             self.tell_way(cell, g, &mut told);

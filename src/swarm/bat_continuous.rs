@@ -30,7 +30,7 @@ use super::{
     },
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, arrows, mark, particle, quantities, sheet},
+    sheet::{self, SUPPOSITIONS, Supposed, arrows, mark, particle, quantities, sheet},
 };
 
 /// Bats: v ← v ± (x − g) f, x ← x + v, and walks about the best.
@@ -96,6 +96,8 @@ trait Watch {
     fn wants(&self, _i: usize) -> bool {
         false
     }
+    /// It is about to be moved.
+    fn begins(&mut self, _bats: &mut Bats) {}
     fn term(&mut self, _term: Term) {}
 }
 
@@ -141,6 +143,9 @@ impl Bats {
         for i in self.population.next_part(1) {
             let (row, before) = (self.population.row(i), self.population.cost[i]);
             self.held.copy_from_slice(&self.population.x[row.clone()]);
+            if watch.wants(i) {
+                watch.begins(self);
+            }
             let walked = self.rng.unit() > self.pulse_rate[i];
             if watch.wants(i) {
                 self.fly(i, walked, watch);
@@ -233,7 +238,11 @@ impl Explain for Bats {
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+        self.explain_step(item, None)
+    }
+
+    fn suppose(&self, item: Item, supposition: &str, others: &Stream) -> Option<Inspection> {
+        self.explain_step(item, Some((supposition, others)))
     }
 }
 
@@ -264,14 +273,27 @@ const COLUMNS: [Label; 5] = [
     label!("swarm-candidate", "x", "x'", "candidate"),
 ];
 
-struct Record {
+struct Record<'a> {
     particle: usize,
+    supposed: Supposed<'a>,
     terms: Vec<Term>,
 }
 
-impl Watch for Record {
+impl Watch for Record<'_> {
     fn wants(&self, i: usize) -> bool {
         i == self.particle
+    }
+
+    fn begins(&mut self, bats: &mut Bats) {
+        match self.supposed {
+            Some(("inertia", _)) => {
+                let row = bats.population.row(self.particle);
+                bats.v[row].fill(0.0);
+            }
+            Some(("best", _)) => bats.sign = 0.0,
+            Some((_, others)) => bats.rng = others.clone(),
+            None => {}
+        }
     }
 
     fn term(&mut self, term: Term) {
@@ -280,10 +302,10 @@ impl Watch for Record {
 }
 
 impl Bats {
-    /// What the next step does to a bat.
-    fn explain_step(&self, item: Item) -> Option<Inspection> {
+    /// What the next step does to a bat, or would do.
+    fn explain_step(&self, item: Item, supposed: Supposed) -> Option<Inspection> {
         let i = particle(&self.population, item)?;
-        let mut record = Record { particle: i, terms: Vec::new() };
+        let mut record = Record { particle: i, supposed, terms: Vec::new() };
         let mut after = self.clone();
         while after.iterate(&mut record) == Progress::Partly {}
         let (now, next, terms) = (&self.population, &after.population, &record.terms);
@@ -309,13 +331,15 @@ impl Bats {
         let velocity = if self.sign > 0.0 { BAT_VELOCITY } else { BAT_VELOCITY_TOWARD };
         told.formulas = if walked { vec![WALK_ABOUT.name] } else { vec![FREQUENCY.name, velocity.name, BAT_POSITION.name] };
         told.formulas.extend(if accepted { &["loudness", "pulse"][..] } else { &[] });
+        let [inertia, _, best, others] = SUPPOSITIONS;
+        told.suppositions = if walked { vec![others] } else { vec![inertia, best, others] };
         let first = terms[0];
-        told.values.extend(quantities(&MOVED, &[first.f, self.v[row.start], x[0], now.g[0], first.v, first.to]));
+        quantities(&mut told, &MOVED, &[first.f, self.v[row.start], x[0], now.g[0], first.v, first.to]);
         if walked {
-            told.values.extend(quantities(&WALKED, &[first.epsilon, after.mean_loudness]));
+            quantities(&mut told, &WALKED, &[first.epsilon, after.mean_loudness]);
         }
         let costs = [now.cost[i], next.cost[i], next.p_cost[i], after.loudness[i], after.pulse_rate[i]];
-        told.values.extend(quantities(&AFTERWARDS, &costs));
+        quantities(&mut told, &AFTERWARDS, &costs);
         told.marks = vec![
             mark(meaning, layers::BEFORE.key, x),
             arrows(meaning, layers::JUMP.key, x, &to),
@@ -469,5 +493,6 @@ pub const ENTRY: Entry = Entry::new(
     layers::BEFORE,
     layers::JUMP,
     layers::AFTER,
+    layers::SUPPOSED,
 ])
 .presets(&[PRINTED]);

@@ -31,7 +31,7 @@ use super::{
     parameters::{BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, arrows, mark, particle, quantities, sheet},
+    sheet::{self, OTHER_NUMBERS, arrows, mark, particle, quantities, sheet},
 };
 
 /// Nests: x ← x + α s (x − g) ε by Lévy flights, then x ← x + r H(p_a − ε) (x_j − x_k).
@@ -72,6 +72,8 @@ trait Watch {
     fn wants(&self, _i: usize) -> bool {
         false
     }
+    /// It is about to be tried.
+    fn begins(&mut self, _nests: &mut Nests) {}
     /// One coordinate of its flight: what was drawn, ε, and the candidate.
     fn flight(&mut self, _draw: Draw, _epsilon: f64, _to: f64) {}
     /// What the flight's candidate costs.
@@ -118,7 +120,10 @@ impl Nests {
             }
             let i = at % size;
             match (at < size, watch.wants(i)) {
-                (true, true) => self.try_flight(i, watch),
+                (true, true) => {
+                    watch.begins(self);
+                    self.try_flight(i, watch);
+                }
                 (true, false) => self.try_flight(i, &mut ()),
                 (false, true) => self.try_walk(i, watch),
                 (false, false) => self.try_walk(i, &mut ()),
@@ -235,7 +240,11 @@ impl Explain for Nests {
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+        self.explain_step(item, None)
+    }
+
+    fn suppose(&self, item: Item, _supposition: &str, others: &Stream) -> Option<Inspection> {
+        self.explain_step(item, Some(others))
     }
 }
 
@@ -279,17 +288,24 @@ const COLUMNS: [Label; 6] = [
 
 /// What was done to a nest, coordinate by coordinate.
 #[derive(Default)]
-struct Record {
+struct Record<'a> {
     nest: usize,
+    others: Option<&'a Stream>,
     flight: Vec<(Draw, f64, f64)>,
     walk: Vec<(bool, [f64; 2], f64)>,
     r: f64,
     costs: [f64; 2],
 }
 
-impl Watch for Record {
+impl Watch for Record<'_> {
     fn wants(&self, i: usize) -> bool {
         i == self.nest
+    }
+
+    fn begins(&mut self, nests: &mut Nests) {
+        if let Some(others) = self.others {
+            nests.rng = others.clone();
+        }
     }
 
     fn flight(&mut self, draw: Draw, epsilon: f64, to: f64) {
@@ -310,10 +326,10 @@ impl Watch for Record {
 }
 
 impl Nests {
-    /// What the next step does to a nest.
-    fn explain_step(&self, item: Item) -> Option<Inspection> {
+    /// What the next step does to a nest, or would do with other random numbers.
+    fn explain_step(&self, item: Item, others: Option<&Stream>) -> Option<Inspection> {
         let i = particle(&self.population, item)?;
-        let mut record = Record { nest: i, ..Record::default() };
+        let mut record = Record { nest: i, others, ..Record::default() };
         let mut after = self.clone();
         while after.iterate(&mut record) == Progress::Partly {}
         let Record { flight, walk, r, costs, .. } = &record;
@@ -344,12 +360,13 @@ impl Nests {
         told.columns = COLUMNS.to_vec();
         let rows = flight.iter().zip(walk).zip(x);
         told.rows = rows.map(|((&(draw, e, to), &(h, _, end)), &x)| vec![x, draw.s, e, to, f64::from(u8::from(h)), end]).collect();
+        told.suppositions = vec![OTHER_NUMBERS];
         told.formulas = vec![SIGMA.name, STEP.name, FLY.name, ABANDON.name];
         let (draw, epsilon, to) = flight[0];
-        told.values.extend(quantities(&FLIGHT, &[x[0], now.g[0], self.levy.sigma, draw.u, draw.v, draw.s, epsilon, to]));
+        quantities(&mut told, &FLIGHT, &[x[0], now.g[0], self.levy.sigma, draw.u, draw.v, draw.s, epsilon, to]);
         let (changes, [x_j, x_k], end) = walk[0];
-        told.values.extend(quantities(&WALK, &[between[0], *r, f64::from(u8::from(changes)), x_j, x_k, end]));
-        told.values.extend(quantities(&COSTS, &[now.cost[i], costs[0], costs[1], next.cost[i]]));
+        quantities(&mut told, &WALK, &[between[0], *r, f64::from(u8::from(changes)), x_j, x_k, end]);
+        quantities(&mut told, &COSTS, &[now.cost[i], costs[0], costs[1], next.cost[i]]);
         told.marks = vec![
             mark(meaning, layers::BEFORE.key, x),
             arrows(meaning, layers::JUMP.key, x, &candidate),
@@ -448,5 +465,5 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])
 .formulas(&[SIGMA, STEP, FLY, ABANDON])
-.layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::AFTER])
+.layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::AFTER, layers::SUPPOSED])
 .presets(&[ONE_ROAD]);

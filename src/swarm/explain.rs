@@ -12,7 +12,7 @@ use super::{
     objective::Objective,
     perturbation::{Event, Partner, Sign},
     schedule::Coefficients,
-    sheet::{arrows, mark, particle, quantities, sheet},
+    sheet::{OTHER_NUMBERS, SUPPOSITIONS, Supposed, arrows, mark, particle, quantities, sheet},
 };
 
 const COSTS: [Label; 3] = [
@@ -20,7 +20,7 @@ const COSTS: [Label; 3] = [
     label!("swarm-cost-after", "cost", "f(x)", "cost after"),
     label!("swarm-personal-best", "p_cost", "f(p)", "personal best"),
 ];
-const MOVED: [Label; 11] = [
+const MOVED: [Label; 14] = [
     label!("swarm-inertia-weight", "w", "\\omega", "inertia weight"),
     label!("swarm-cognitive-coefficient", "c1", "c_1", "cognitive coefficient"),
     label!("swarm-social-coefficient", "c2", "c_2", "social coefficient"),
@@ -30,6 +30,9 @@ const MOVED: [Label; 11] = [
     label!("swarm-position-before-first-coordinate", "x_before", "x", "position before, first coordinate"),
     label!("swarm-personal-best-first-coordinate", "p", "p", "personal best, first coordinate"),
     label!("swarm-global-best-first-coordinate", "g", "g", "global best, first coordinate"),
+    label!("swarm-inertia-first-coordinate", "inertia", "\\omega v", "inertia, first coordinate"),
+    label!("swarm-pull-of-own-first-coordinate", "cognitive", "c_1 r_1 (p - x)", "pull of the personal best, first coordinate"),
+    label!("swarm-pull-of-best-first-coordinate", "social", "c_2 r_2 (g - x)", "pull of the global best, first coordinate"),
     label!("swarm-velocity-first-coordinate", "v", "v", "velocity, first coordinate"),
     label!("swarm-position-after-first-coordinate", "x", "x'", "position after, first coordinate"),
 ];
@@ -79,8 +82,9 @@ const CHICK: [Label; 3] = [
 ];
 /// What a step did to one particle.
 #[derive(Default)]
-struct Record {
+struct Record<'a> {
     particle: usize,
+    supposed: Supposed<'a>,
     terms: Vec<Term>,
     other: Option<usize>,
     s: [f64; 2],
@@ -93,9 +97,20 @@ struct Record {
     refused: Option<Vec<f64>>,
 }
 
-impl Watch for Record {
+impl Watch for Record<'_> {
     fn particle(&self) -> Option<usize> {
         Some(self.particle)
+    }
+
+    fn begins(&mut self, swarm: &mut Swarm) {
+        let Coefficients { w, c1, c2 } = &mut swarm.coefficients;
+        match self.supposed {
+            Some(("inertia", _)) => *w = 0.0,
+            Some(("own", _)) => *c1 = 0.0,
+            Some(("best", _)) => *c2 = 0.0,
+            Some((_, others)) => swarm.rng = others.clone(),
+            None => {}
+        }
     }
 
     fn term(&mut self, term: Term) {
@@ -121,10 +136,10 @@ impl Watch for Record {
 }
 
 impl Swarm {
-    /// What the next step does to the particle.
-    pub(super) fn explain_step(&self, item: Item) -> Option<Inspection> {
+    /// What the next step does to the particle, or would do.
+    pub(super) fn explain_step(&self, item: Item, supposed: Supposed) -> Option<Inspection> {
         let i = particle(&self.population, item)?;
-        let mut record = Record { particle: i, ..Record::default() };
+        let mut record = Record { particle: i, supposed, ..Record::default() };
         let mut after = self.clone();
         while after.iterate(&mut record) == Progress::Partly {}
         let (now, next) = (&self.population, &after.population);
@@ -177,7 +192,7 @@ struct Step<'a> {
     f_l: f64,
     /// How often a particle gets worse before it is perturbed.
     patience: u8,
-    record: &'a Record,
+    record: &'a Record<'a>,
 }
 
 impl Step<'_> {
@@ -187,7 +202,7 @@ impl Step<'_> {
             Event::Hen => self.tell_hen(),
             Event::Chick => self.tell_chick(),
         };
-        told.values.extend(quantities(&COSTS, &self.costs));
+        quantities(&mut told, &COSTS, &self.costs);
         told
     }
 
@@ -195,7 +210,23 @@ impl Step<'_> {
         let Self { x, p, to, .. } = self;
         let terms = &self.record.terms;
         let i = self.item.index;
-        let summary = message!("swarm-move", "Particle {i} keeps part of its velocity and is drawn to its own best and to the swarm’s.", i);
+        let length = |part: fn(&Term) -> f64| terms.iter().map(|term| part(term) * part(term)).sum::<f64>().sqrt();
+        let [inertia, own, swarm] = [length(|term| term.inertia), length(|term| term.cognitive), length(|term| term.social)];
+        let mostly = if inertia >= own.max(swarm) {
+            message!("swarm-move-on", "Particle {i} mostly keeps its course.", i)
+        } else if own > swarm {
+            message!("swarm-move-own", "Particle {i} moves mostly toward its own best.", i)
+        } else {
+            message!("swarm-move-best", "Particle {i} moves mostly toward the swarm’s best.", i)
+        };
+        let parts = message!(
+            "swarm-move-parts",
+            "Inertia: {inertia:.2}; pull of its own best: {own:.2}, of the swarm’s best: {swarm:.2}.",
+            inertia,
+            own,
+            swarm
+        );
+        let summary = mostly.then(parts);
         let mut told = sheet(self.meaning, self.item, "move", summary, x.len());
         told.columns = MOVE.to_vec();
         told.rows = (0..x.len())
@@ -205,9 +236,11 @@ impl Step<'_> {
             })
             .collect();
         told.formulas = vec!["velocity", "position"];
+        told.suppositions = SUPPOSITIONS.to_vec();
         let Coefficients { w, c1, c2 } = self.coefficients;
-        let [r1, r2] = terms[0].r;
-        told.values.extend(quantities(&MOVED, &[w, c1, c2, self.v[0], r1, r2, x[0], p[0], self.g[0], terms[0].step, to[0]]));
+        let Term { r: [r1, r2], inertia, cognitive, social, step } = terms[0];
+        let values = [w, c1, c2, self.v[0], r1, r2, x[0], p[0], self.g[0], inertia, cognitive, social, step, to[0]];
+        quantities(&mut told, &MOVED, &values);
         told.marks = vec![mark(self.meaning, layers::BEFORE.key, x), mark(self.meaning, layers::AFTER.key, to)];
         // Head to tail: each part begins where the one before it ends.
         let mut tip = x.to_vec();
@@ -240,8 +273,9 @@ impl Step<'_> {
         told.rows = (0..from.len()).map(|j| vec![from[j], r[j][0], r[j][1], x_t[j], to[j]]).collect();
         let [formula_s2, formula_hen] = self.hen;
         told.formulas = vec![formula_hen, "s1", formula_s2];
+        told.suppositions = vec![OTHER_NUMBERS];
         let values = [s1, s2, *other as f64, f_i, f_g, f_t, from[0], r[0][0], r[0][1], self.g[0], x_t[0], to[0]];
-        told.values.extend(quantities(&HENNED, &values));
+        quantities(&mut told, &HENNED, &values);
         told.marks = self.jump();
         told
     }
@@ -263,7 +297,7 @@ impl Step<'_> {
         told.columns = CHICK.to_vec();
         told.rows = (0..from.len()).map(|j| vec![from[j], g[j], to[j]]).collect();
         told.formulas = vec!["chick"];
-        told.values.extend(quantities(&CHICKED, &[self.f_l, from[0], g[0], to[0]]));
+        quantities(&mut told, &CHICKED, &[self.f_l, from[0], g[0], to[0]]);
         told.marks = self.jump();
         told
     }
@@ -358,6 +392,48 @@ mod tests {
             }
         }
         seen
+    }
+
+    /// What is supposed is otherwise, and nothing else is: the other terms of the same step, the same random numbers.
+    #[test]
+    fn a_supposition_changes_one_thing_of_a_step() {
+        let mut run = run();
+        let (mut moved, mut hens) = (0, 0);
+        for _ in 0..30 {
+            run.step(1);
+            let hash = run.hash();
+            for index in (0..150).step_by(7) {
+                let item = Item { layer: layers::PARTICLES.key, index };
+                let told = run.inspect(item).unwrap();
+                let mut suppose = |name: &str, draw| run.suppose(item, name, draw).unwrap().unwrap();
+                if told.event != "move" {
+                    assert_eq!(told.suppositions.len(), usize::from(told.event == "hen"), "{}", told.event);
+                    hens += usize::from(told.event == "hen" && suppose("random", 0).rows[0][1..3] != told.rows[0][1..3]);
+                    continue;
+                }
+                // The columns of `MOVE`: x, inertia, r1, own best, r2, swarm's best, v, x', p.
+                for (name, column) in [("inertia", 1), ("own", 3), ("best", 5)] {
+                    let supposed = suppose(name, 0);
+                    for (was, is) in told.rows.iter().zip(&supposed.rows) {
+                        assert_eq!(is[column], 0.0, "{name}");
+                        for other in [0, 1, 2, 3, 4, 5, 8].into_iter().filter(|&other| other != column) {
+                            assert_eq!(is[other], was[other], "{name}, column {other}");
+                        }
+                        let reached = is[0] + is[6];
+                        let stops = reached < 0.0 && is[7] == 0.0 || reached > 8.0 && (is[7] == 8.0 || is[7] == 9.0);
+                        assert!((is[7] - reached).abs() < 1e-12 || stops, "{name}: {} is not {reached}", is[7]);
+                        moved += usize::from(is[7] != was[7]);
+                    }
+                    assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key) && supposed.marks.len() == 2);
+                }
+                let [one, other] = [0, 1].map(|draw| suppose("random", draw).rows[0][2]);
+                assert!(one != other && one != told.rows[0][2]);
+            }
+            assert_eq!(run.hash(), hash);
+        }
+        assert!(moved > 1000 && hens > 10, "{moved} coordinates elsewhere, {hens} hens");
+        let error = run.suppose(Item { layer: layers::PARTICLES.key, index: 0 }, "luck", 0).unwrap_err();
+        assert!(error.to_string().contains("supposition") && error.to_string().contains("luck"), "{error}");
     }
 
     #[test]

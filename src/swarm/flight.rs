@@ -73,7 +73,7 @@ pub struct Swarm {
     /// By how many extensions of a tree each particle's first path was found (`None`: it was drawn), where trees were grown.
     #[state(shared)]
     pub(super) origins: Option<Arc<[Option<u64>]>>,
-    rng: Stream,
+    pub(super) rng: Stream,
     clock: Clock,
 }
 
@@ -133,6 +133,9 @@ impl Swarm {
         let perturbation = self.flight.perturbation;
         let watched = watch.particle();
         for i in self.population.next_part(1) {
+            if watched == Some(i) {
+                watch.begins(self);
+            }
             let before = self.population.cost[i];
             self.events[i] =
                 perturbation.filter(|p| p.timing == Timing::Instead).map_or(Event::Move, |p| self.patience[i].next(p.patience));
@@ -268,6 +271,8 @@ pub(super) trait Watch {
     fn particle(&self) -> Option<usize> {
         None
     }
+    /// It is about to be moved.
+    fn begins(&mut self, _swarm: &mut Swarm) {}
     /// One coordinate of its flight.
     fn term(&mut self, _term: Term) {}
     /// The hen's other particle t, s1 and s2.
@@ -350,6 +355,10 @@ impl Explain for Swarm {
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+        self.explain_step(item, None)
+    }
+
+    fn suppose(&self, item: Item, supposition: &str, others: &Stream) -> Option<Inspection> {
+        self.explain_step(item, Some((supposition, others)))
     }
 }

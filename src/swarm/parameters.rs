@@ -150,11 +150,18 @@ pub(super) const VELOCITY: Formula = Formula::of_item(
     "velocity",
     "[WCPSO] (1, 6)",
     "Velocity",
-    "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)",
-    "v = @w@ \\cdot @v_before@ + @c1@ \\cdot @r1@ \\, (@p@ - @x_before@) + @c2@ \\cdot @r2@ \\, (@g@ - @x_before@) \\;\\to\\; @v@",
+    "v \\leftarrow \\class{inertia}{\\omega v} + \\class{cognitive}{c_1 r_1 (p - x)} + \\class{social}{c_2 r_2 (g - x)}",
+    "v = \\class{inertia}{@w@ \\cdot @v_before@} + \\class{cognitive}{@c1@ \\cdot @r1@ \\, (@p@ - @x_before@)} \
+     + \\class{social}{@c2@ \\cdot @r2@ \\, (@g@ - @x_before@)} \
+     = \\class{inertia}{@inertia@} + \\class{cognitive}{@cognitive@} + \\class{social}{@social@} \\;\\to\\; \\class{velocity}{@v@}",
 );
-pub(super) const POSITION: Formula =
-    Formula::of_item("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
+pub(super) const POSITION: Formula = Formula::of_item(
+    "position",
+    "[WCPSO] (2, 7)",
+    "Position",
+    "x \\leftarrow x + \\class{velocity}{v}",
+    "x = @x_before@ + \\class{velocity}{@v@} \\;\\to\\; @x@",
+);
 pub(super) const LINEAR_W: Formula = Formula::new(
     "w",
     "[WCPSO] fig. 1, dashed",
@@ -173,6 +180,7 @@ pub(super) const LAYERS: &[Layer] = &[
     SMOOTHED,
     layers::BEFORE,
     layers::AFTER,
+    layers::SUPPOSED,
     layers::INERTIA,
     layers::COGNITIVE,
     layers::SOCIAL,
@@ -189,6 +197,7 @@ pub(super) const PERTURBED_LAYERS: &[Layer] = &[
     SMOOTHED,
     layers::BEFORE,
     layers::AFTER,
+    layers::SUPPOSED,
     layers::INERTIA,
     layers::COGNITIVE,
     layers::SOCIAL,

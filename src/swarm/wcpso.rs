@@ -155,16 +155,16 @@ const HEN: Formula = Formula::of_item(
     "hen",
     "[WCPSO] (9)",
     "Hen",
-    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (x_t - x)",
-    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
+    "x \\leftarrow x + \\class{jump}{s_1 r (p_g - x) + s_2 r' (x_t - x)}",
+    "x = @x_before@ + \\class{jump}{@s1@ \\cdot @r@ \\, (@g@ - @x_before@)} + \\class{jump}{@s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@)} \\;\\to\\; @x@",
 )
 .when(HEN_PARTNER, "position");
 const HEN_BEST: Formula = Formula::of_item(
     "hen_best",
     "[WCPSO] (9) with the personal best of the other",
     "Hen",
-    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (p_t - x)",
-    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
+    "x \\leftarrow x + \\class{jump}{s_1 r (p_g - x) + s_2 r' (p_t - x)}",
+    "x = @x_before@ + \\class{jump}{@s1@ \\cdot @r@ \\, (@g@ - @x_before@)} + \\class{jump}{@s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@)} \\;\\to\\; @x@",
 )
 .when(HEN_PARTNER, "best");
 const S1: Formula = Formula::of_item(

@@ -21,6 +21,7 @@ const EXPLAIN: &str = "Explain every piece of a pickable layer: list the facet (
 const PICKABLE: &str = "Draw at least one piece of each pickable layer on its kinds of scene, or do not declare it `.pickable()`.";
 const UNCHANGED: &str = "Explain a step on a copy of the state: explaining changes nothing.";
 const AGAIN: &str = "Explain from the state alone: the same state has the same explanation.";
+const SUPPOSED: &str = "Answer each of an explanation’s `suppositions` in `Explain::suppose`, from the state and the given stream alone.";
 const FORMULAS: &str =
     "Name formulas that the entry lists and that are computed with these parameters, and give a value for each of their `@name@`.";
 const TABLE: &str = "Give a label for each row, a number for each column, and finite numbers only.";
@@ -78,6 +79,15 @@ fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer) -> Result<bool
             continue;
         };
         explanation(subject, run, &told)?;
+        for supposition in &told.suppositions {
+            let name = supposition.name;
+            let supposed = |run: &mut Run, draw| run.suppose(item, name, draw).ok().flatten();
+            let Some(first) = supposed(run, 0) else {
+                return Err(Fault::new(SUPPOSED, format!("nothing is said about the supposition `{name}`")));
+            };
+            explanation(subject, run, &first)?;
+            ensure(supposed(run, 0) == Some(first), SUPPOSED, || format!("what is said about the supposition `{name}` changes"))?;
+        }
         if index == 0 {
             ensure(run.inspect(item) == Some(told), AGAIN, || format!("the explanation of a piece of `{name}` changes"))?;
         }

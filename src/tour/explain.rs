@@ -24,21 +24,6 @@ pub(super) fn quantity(label: Label, value: f64) -> Option<Quantity> {
     value.is_finite().then_some(label.is(value))
 }
 
-fn plain(item: Item, title: Message, event: &'static str, summary: Message) -> Inspection {
-    Inspection {
-        item,
-        title,
-        event,
-        summary,
-        values: Vec::new(),
-        formulas: Vec::new(),
-        columns: Vec::new(),
-        labels: Vec::new(),
-        rows: Vec::new(),
-        marks: Vec::new(),
-    }
-}
-
 /// A way to draw clearly.
 pub(super) fn way(vertices: Vec<[f64; 2]>) -> Mark {
     Mark::plane(layers::AFTER.key, Shape::Polyline, vertices)
@@ -46,7 +31,7 @@ pub(super) fn way(vertices: Vec<[f64; 2]>) -> Mark {
 
 /// A tour that is asked about before there are any.
 pub(super) fn no_tour(item: Item) -> Inspection {
-    plain(item, title(item), "waiting", waits())
+    Inspection::new(item, title(item), "waiting", waits())
 }
 
 /// The first tour of a search that begins anywhere.
@@ -71,7 +56,7 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
     let (from, to) = (i + 1, j + 1);
     let title = message!("tour-road", "Road {from} – {to}", from, to);
     let Some(road) = network.roads.get(item.index) else {
-        return Some(plain(item, title, "waiting", message!("tour-road-waits", "It is not built yet.")));
+        return Some(Inspection::new(item, title, "waiting", message!("tour-road-waits", "It is not built yet.")));
     };
     let straight = geometry::length(&[network.stops[i], network.stops[j]]);
     let (event, summary) = if road.is_found() {
@@ -91,7 +76,7 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
         );
         ("joined", summary)
     };
-    let mut told = plain(item, title, event, summary);
+    let mut told = Inspection::new(item, title, event, summary);
     let values = [
         quantity(label!("tour-length", "length", "L", "length"), road.length),
         quantity(label!("tour-straight-line", "d", "d", "straight line"), straight),
@@ -110,7 +95,7 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
     places.get(stop)?;
     let title = message!("tour-stop", "Stop {i}", i = stop + 1);
     let Some((problem, tour)) = best else {
-        return Some(plain(item, title, "waiting", waits()));
+        return Some(Inspection::new(item, title, "waiting", waits()));
     };
     let order = tour.order(problem);
     let place = order.iter().position(|&other| other == stop)?;
@@ -130,7 +115,7 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
         }
         [None, None] => message!("tour-called-alone", "Number {k} of the shortest tour, after nothing and before nothing.", k),
     };
-    let mut told = plain(item, title, "called", summary);
+    let mut told = Inspection::new(item, title, "called", summary);
     let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u16, other as u16));
     let values = [
         quantity(label!("tour-place", "place", "i", "place in the tour"), (place + 1) as f64),
@@ -154,7 +139,7 @@ pub(super) fn tour(problem: &Problem, tour: &Tour, best: &Tour, places: &[[f64; 
         own[fixed..].reverse();
     }
     let differs: Vec<bool> = own.iter().zip(&theirs).map(|(a, b)| a != b).collect();
-    let mut told = plain(item, title(item), "moved", Message::default());
+    let mut told = Inspection::new(item, title(item), "moved", Message::default());
     told.values = [
         quantity(label!("tour-length", "length", "D", "length"), tour.length),
         quantity(label!("tour-different", "different", "HD", "places that differ"), different as f64),

@@ -25,6 +25,7 @@ pub(super) const LAYERS: &[Layer] = &[
     layers::CHOSEN,
     layers::BEFORE,
     layers::AFTER,
+    layers::SUPPOSED,
 ];
 /// With the samples that were kept.
 pub(super) const GUIDED_LAYERS: &[Layer] =
@@ -41,6 +42,7 @@ pub(super) const CONNECT_LAYERS: &[Layer] = &[
     layers::CHOSEN,
     layers::BEFORE,
     layers::AFTER,
+    layers::SUPPOSED,
 ];
 
 impl<const N: usize> Seen<'_, N> {

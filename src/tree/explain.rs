@@ -114,7 +114,22 @@ impl<const N: usize> Seen<'_, N> {
             self.tell_taken(sample, &near, &mut told);
         }
         self.table(&near, &mut told);
+        told.suppositions = vec![label!("tree-other-random-numbers", "random", "x_{\\text{rand}}", "with other random numbers")];
         Some(told)
+    }
+
+    /// What would have grown instead of a node: the first of those from `index` on, if there is one.
+    pub(super) fn tell_supposed(&self, item: Item, index: usize) -> Inspection {
+        let Some(mut told) = self.tell_birth(Item { index, ..item }) else {
+            let title = message!("tree-node", "Node {i}", i = item.index + 1);
+            return Inspection::new(item, title, "nothing", message!("tree-supposed-nothing", "Nothing would have grown."));
+        };
+        let last = &self.forest.last;
+        let at = told.marks.iter().find(|mark| mark.layer == layers::AFTER.key).map(|mark| mark.vertices[0]);
+        let near = self.task.space.place(&self.forest.trees[last.tree].points[last.near]);
+        let edge = at.into_iter().flat_map(|at| [near, at]).collect();
+        told.marks.push(Mark { layer: layers::JUMP.key, shape: Shape::Segments, vertices: edge });
+        told
     }
 
     /// A node's name, numbers and way.
@@ -128,18 +143,8 @@ impl<const N: usize> Seen<'_, N> {
         let way = tree.path_to(node).iter().map(place).collect();
         let mut marks = vec![Mark { layer: layers::BEFORE.key, shape: Shape::Polyline, vertices: way }];
         marks.push(Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![at] });
-        Some(Inspection {
-            item,
-            title: message!("tree-node", "Node {i}", i = item.index + 1),
-            event: "node",
-            summary: Message::default(),
-            values,
-            formulas: Vec::new(),
-            columns: Vec::new(),
-            labels: Vec::new(),
-            rows: Vec::new(),
-            marks,
-        })
+        let title = message!("tree-node", "Node {i}", i = item.index + 1);
+        Some(Inspection { values, marks, ..Inspection::new(item, title, "node", Message::default()) })
     }
 
     fn tell_taken(&self, sample: &Sample<N>, near: &[f64; N], told: &mut Inspection) {
@@ -197,17 +202,10 @@ impl<const N: usize> Seen<'_, N> {
         let sample = last.samples.get(item.index)?;
         let near = *self.forest.trees[last.tree].points.get(last.near)?;
         let place = |point: &[f64; N]| self.task.space.place(point);
+        let title = message!("tree-sample", "Sample {i}", i = item.index + 1);
         let mut told = Inspection {
-            item,
-            title: message!("tree-sample", "Sample {i}", i = item.index + 1),
-            event: sample.outcome.name(),
-            summary: sample.outcome.sentence(last.source),
-            values: Vec::new(),
-            formulas: Vec::new(),
-            columns: Vec::new(),
-            labels: Vec::new(),
-            rows: Vec::new(),
             marks: vec![Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![place(&sample.point)] }],
+            ..Inspection::new(item, title, sample.outcome.name(), sample.outcome.sentence(last.source))
         };
         self.tell_taken(sample, &near, &mut told);
         self.table(&near, &mut told);

@@ -68,6 +68,7 @@ impl<const N: usize, M: Method<N>> Trees<N, M> {
     }
 
     /// One extension.
+    #[inline(never)]
     pub(super) fn extend(&mut self) -> Progress {
         let Self { task, forest, method, rng } = self;
         forest.iteration += 1;

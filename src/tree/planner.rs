@@ -2,7 +2,7 @@
 
 use crate::{
     describe::layers,
-    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Started},
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Started, rng::Stream},
 };
 
 use super::{
@@ -40,15 +40,28 @@ impl<const N: usize, M: Method<N>> Planner for Trees<N, M> {
     }
 }
 
+impl<const N: usize, M: Method<N>> Trees<N, M> {
+    /// After another extension, with these random numbers or its own.
+    #[inline(never)]
+    fn extended(&self, others: Option<&Stream>) -> Self {
+        let mut next = self.clone();
+        next.rng.clone_from(others.unwrap_or(&self.rng));
+        next.extend();
+        next
+    }
+}
+
 impl<const N: usize, M: Method<N>> Explain for Trees<N, M> {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         self.seen().explain(item)
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
-        let mut next = self.clone();
-        next.extend();
-        next.seen().tell_birth(item)
+        self.extended(None).seen().tell_birth(item)
+    }
+
+    fn suppose(&self, item: Item, _supposition: &str, others: &Stream) -> Option<Inspection> {
+        Some(self.extended(Some(others)).seen().tell_supposed(item, self.forest.births.len()))
     }
 
     fn created_at(&self, item: Item) -> Option<u64> {

@@ -45,10 +45,6 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
     });
     let way = &swarm.ways[i];
     Inspection {
-        item,
-        title: message!("tuning-particle", "Particle {i}", i),
-        event,
-        summary,
         values: [
             label!("tuning-mean-length", "cost", "\\bar L", "mean length").is(cost.length),
             label!("tuning-mean-converged", "converged", "\\bar t^*", "mean iteration of convergence").is(cost.converged),
@@ -63,5 +59,6 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
         labels: swarm.axes.iter().map(|axis| Message::verbatim(axis.parameter.name)).collect(),
         rows: rows.collect(),
         marks: if way.is_empty() { Vec::new() } else { vec![Mark::plane(layers::AFTER.key, Shape::Polyline, way.clone())] },
+        ..Inspection::new(item, message!("tuning-particle", "Particle {i}", i), event, summary)
     }
 }

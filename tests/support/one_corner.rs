@@ -244,16 +244,9 @@ impl Explain for OneCorner {
             return None;
         }
         Some(Inspection {
-            item,
-            title: message!("corner", "Corner"),
-            event: "tried",
-            summary: message!("corner-drawn", "It was drawn at random."),
             values: vec![label!("corner-x", "x", "x", "Coordinate").is(self.memory().tried[0])],
             formulas: if self.wrong == OtherFormula { vec!["other"] } else { Vec::new() },
-            columns: Vec::new(),
-            labels: Vec::new(),
-            rows: Vec::new(),
-            marks: Vec::new(),
+            ..Inspection::new(item, message!("corner", "Corner"), "tried", message!("corner-drawn", "It was drawn at random."))
         })
     }
 }

@@ -112,10 +112,11 @@ export function mathml(tex: string, displayMode: boolean): string {
   const source = tex.replace(/@([\w.-]+)@/g, (_, name: string) => `{${SLOT + names.push(name) - 1}}`)
   return (
     temml
-      .renderToString(source, { wrap: displayMode ? 'tex' : 'none', throwOnError: true })
-      .replace(/<mn>(\d{7})<\/mn>/g, (whole, digits: string) => {
+      .renderToString(source, { wrap: displayMode ? 'tex' : 'none', throwOnError: true, trust: ({ command }) => command === '\\class' })
+      .replace(/<mn( class="[^"]*")?>(\d{7})<\/mn>/g, (whole, term: string | undefined, digits: string) => {
         const name = names[Number(digits) - SLOT]
-        return name === undefined ? whole : `<mtext>@${name}@</mtext>`
+        const slot = `<mtext>@${name}@</mtext>`
+        return name === undefined ? whole : term ? `<mrow${term}>${slot}</mrow>` : slot
       })
       .replace(FUNCTION, '$1<mspace width="0.1667em"></mspace>')
       // Text fonts have the prime where it belongs; as a superscript it would be raised twice.

@@ -185,8 +185,9 @@ test('a cell that is pointed at shows its neighbours with the core’s numbers, 
 
   await page.mouse.click(x, y)
   const panel = page.getByTestId('inspect')
-  await expect(panel.getByRole('heading')).toHaveText(title)
+  await expect(panel.getByRole('heading', { level: 2 })).toHaveText(title)
   await expect(panel.getByTestId('compass')).toBeVisible()
+  await lab.section('inspect-table')
   await expect(panel.locator('tbody tr')).toHaveCount(8)
 
   await lab.press(en.transport.play)
@@ -230,7 +231,7 @@ test('with the lens, keys go from cell to cell, which is told, and look closer',
   const { title, summary } = told(indexOf(scene, { column: 2, row: 2 }))
   await expect(page.getByTestId('cell-told')).toHaveText(`${title}. ${summary}`)
   await page.keyboard.press('Space')
-  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText(title)
+  await expect(page.getByTestId('inspect').getByRole('heading', { level: 2 })).toHaveText(title)
   expect(await lab.iteration()).toBe(AT)
   await page.keyboard.press('Escape')
   await expect(page.getByTestId('tool-cells')).toHaveAttribute('aria-pressed', 'false')
@@ -306,7 +307,7 @@ test.describe('on a phone', () => {
     await expect(page.getByTestId('cell-card')).toHaveAttribute('data-index', String(indexOf(scene, { column: 10, row: 8 })))
     await page.waitForTimeout(500)
     // The explanation has come up from below: the stage is smaller, and the cell elsewhere.
-    await expect(page.getByTestId('inspect').getByRole('heading')).toBeInViewport()
+    await expect(page.getByTestId('inspect').getByRole('heading', { level: 2 })).toBeInViewport()
     const again = await lab.whereIs(scene, middleOf(scene, { column: 10, row: 8 }))
     await page.touchscreen.tap(again.x, again.y)
     await expect(page.getByTestId('cell-card')).toHaveCount(0)

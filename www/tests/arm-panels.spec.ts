@@ -328,6 +328,7 @@ test('a node of the guided tree tells its samples, which were kept, and what bec
   await page.mouse.click(x, y)
   const inspect = page.getByTestId('inspect')
   await expect(inspect.locator('h2')).toHaveText(node.told.title)
+  await lab.section('inspect-table')
   const rows = inspect.locator('tbody tr')
   await expect(rows.locator('th')).toHaveText(node.told.table.labels)
   const share = node.told.table.columns.findIndex(({ name }) => name === 'share')

@@ -131,7 +131,7 @@ test('a link says what is explained, which layers are shown, and what is in view
   const plain = linkTo({ seed: 7 }, 30)
   await lab.open(`${plain}&page.item=particles.3&page.camera=4,5,3&page.layers=velocities,-particles`)
   const hash = await lab.settled(30)
-  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText('Particle 3')
+  await expect(page.getByTestId('inspect').getByRole('heading', { level: 2 })).toHaveText('Particle 3')
   await expect(page.getByTestId('layer-velocities')).toBeChecked()
   await expect(page.getByTestId('layer-particles')).not.toBeChecked()
 
@@ -141,7 +141,7 @@ test('a link says what is explained, which layers are shown, and what is in view
   const near = await lab.picture()
   await page.reload()
   expect(await lab.settled(30)).toBe(hash)
-  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText('Particle 3')
+  await expect(page.getByTestId('inspect').getByRole('heading', { level: 2 })).toHaveText('Particle 3')
   // The thread that draws may be later than what is said of it.
   await expect.poll(async () => (await lab.picture()).digest).toBe(near.digest)
 

@@ -293,7 +293,7 @@ test('while a drive stands still, an obstacle is dragged from where it is now, a
   expect(seconds).toBeGreaterThan(4)
   const now: Point = [300, 60 + 5 * seconds]
   await click(lab, now)
-  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText(
+  await expect(page.getByTestId('inspect').getByRole('heading', { level: 2 })).toHaveText(
     told(scene, (session) => session.inspect({ role: 'moving', index: 0 })?.title ?? ''),
   )
   await drag(lab, now, [now[0] - 40, now[1]])

@@ -60,9 +60,10 @@ test('a click on a particle explains its step with the numbers that were drawn',
   await page.mouse.click(at.x, at.y)
 
   const panel = page.getByTestId('inspect')
-  await expect(panel.getByRole('heading')).toHaveText(`Particle ${index}`)
+  await expect(panel.getByRole('heading', { level: 2 })).toHaveText(`Particle ${index}`)
   const told = sessionAt(setup, 6, (session) => session.inspect({ role: 'particles', index }))
   await expect(panel.locator('[data-event]')).toHaveAttribute('data-event', told?.event ?? '')
+  for (const id of ['inspect-table', 'inspect-values']) await lab.section(id)
   for (const { name, value } of told?.values ?? []) {
     await expect(panel.locator(`[data-value="${name}"]`)).toHaveText(number(value))
   }
@@ -73,5 +74,5 @@ test('a click on a particle explains its step with the numbers that were drawn',
   await expect(panel.locator('.math > i')).toHaveCount(0)
 
   await page.getByRole('button', { name: 'Close the inspection' }).click()
-  await expect(panel.getByRole('heading')).toHaveCount(0)
+  await expect(panel.getByRole('heading', { level: 2 })).toHaveCount(0)
 })

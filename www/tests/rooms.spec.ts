@@ -92,7 +92,7 @@ test('a newcomer sees a swarm at work, drags a disc, and finds six families', as
   await page.mouse.click(goal.x - 16, goal.y + 16)
   await expect(page.getByTestId('learn-sentence')).toContainText(/^Particle \d+/)
   await page.getByTestId('learn-why').click()
-  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText(/^Particle \d+$/)
+  await expect(page.getByTestId('inspect').getByRole('heading', { level: 2 })).toHaveText(/^Particle \d+$/)
   await page.goBack()
   for (const { name } of FAMILIES) {
     const card = page.getByTestId(`family-${name}`)

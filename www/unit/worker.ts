@@ -189,6 +189,7 @@ export class FakeWorker {
       events: [],
       span: null,
       inspection: null,
+      supposed: null,
       members: null,
       outcome: {},
       link: '',

@@ -431,6 +431,16 @@ impl Session {
         plain(&self.run.inspect(read_item(item)?))
     }
 
+    /// What an item would have done in the step that led here with one thing otherwise: one of the `suppositions` of its explanation.
+    /// `draw` numbers the other random numbers. Its layers are `supposed`.
+    ///
+    /// # Errors
+    /// For an unknown layer or supposition, and for a `draw` that is no whole number.
+    pub fn suppose(&mut self, item: &JsItem, supposition: &str, draw: Option<JsNumber>) -> Result<JsInspectionOrNull, JsValue> {
+        let draw = count_or("draw", draw, 0)?;
+        plain(&self.run.suppose(read_item(item)?, supposition, draw).map_err(js_error)?)
+    }
+
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
     ///
     /// # Errors

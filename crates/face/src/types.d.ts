@@ -322,7 +322,7 @@ export type Formula = {
   source: string
   /** The title, a few words. */
   title: string
-  /** The equation in TeX, as in the paper. */
+  /** The equation in TeX, as in the paper. `\class{inertia}{…}` is the term that explanations mark by the layer of that name. `\class{inertia}{…}` is the term that explanations mark by that layer. */
   tex: string
   /** The equation in TeX, with `@name@` in place of each current number. */
   live?: string
@@ -471,6 +471,8 @@ export type Inspection = {
   table: InspectionTable
   /** Marks to draw over the picture. */
   layers: Array<Mark>
+  /** What can be supposed otherwise in this step: `Run::suppose` answers each. */
+  suppositions: Array<Label>
 }
 
 /** An inspection's table: a row for each dimension, way-point, sample, … */

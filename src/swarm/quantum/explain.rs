@@ -6,7 +6,7 @@ use crate::{
     label, message,
     swarm::{
         population::{column, deviation},
-        sheet::{arrows, mark, particle, quantities, sheet},
+        sheet::{SUPPOSITIONS, Supposed, arrows, mark, particle, quantities, sheet},
     },
 };
 
@@ -54,14 +54,24 @@ const COLUMNS: [Label; 8] = [
     label!("swarm-position-after-the-leap", "x", "X'", "position after the leap"),
 ];
 
-struct Record {
+struct Record<'a> {
     particle: usize,
+    supposed: Supposed<'a>,
     leaps: Vec<Leap>,
 }
 
-impl Watch for Record {
+impl Watch for Record<'_> {
     fn wants(&self, i: usize) -> bool {
         i == self.particle
+    }
+
+    fn begins(&mut self, swarm: &mut Quantum) {
+        match self.supposed {
+            Some(("own", _)) => swarm.c[0] = 0.0,
+            Some(("best", _)) => swarm.c[1] = 0.0,
+            Some((_, others)) => swarm.rng = others.clone(),
+            None => {}
+        }
     }
 
     fn leap(&mut self, leap: Leap) {
@@ -70,10 +80,10 @@ impl Watch for Record {
 }
 
 impl Quantum {
-    /// What the next step does to the particle.
-    pub(super) fn explain_step(&self, item: Item) -> Option<Inspection> {
+    /// What the next step does to the particle, or would do.
+    pub(super) fn explain_step(&self, item: Item, supposed: Supposed) -> Option<Inspection> {
         let i = particle(&self.population, item)?;
-        let mut record = Record { particle: i, leaps: Vec::new() };
+        let mut record = Record { particle: i, supposed, leaps: Vec::new() };
         let mut after = self.clone();
         while after.iterate(&mut record) == Progress::Partly {}
         let (now, next, leaps) = (&self.population, &after.population, &record.leaps);
@@ -105,17 +115,18 @@ impl Quantum {
             .collect();
         told.formulas = vec!["leap", "attractor", "phi"];
         let Leap { r: [r1, r2], phi, u, sign, to } = leaps[0];
-        let [c1, c2] = self.c;
-        told.values
-            .extend(quantities(&LEAPT, &[after.width, c1, c2, r1, r2, phi, p[0], now.g[0], attractor[0], after.m[0], u, sign, x[0]]));
-        told.values.extend(quantities(&LANDED, &[to]));
+        // It has no velocity that it could do without.
+        told.suppositions = SUPPOSITIONS[1..].to_vec();
+        let [c1, c2] = after.c;
+        quantities(&mut told, &LEAPT, &[after.width, c1, c2, r1, r2, phi, p[0], now.g[0], attractor[0], after.m[0], u, sign, x[0]]);
+        quantities(&mut told, &LANDED, &[to]);
         if self.adaptive.is_some() {
             told.formulas.extend(["ip", "gs"]);
             let sigma = |rows| deviation(column(rows, n, 0));
             let numbers = [after.ip[i], now.g_cost, now.p_cost[i], after.gs[0], sigma(&now.p), sigma(&now.x)];
-            told.values.extend(quantities(&EVOLVED, &numbers));
+            quantities(&mut told, &EVOLVED, &numbers);
         }
-        told.values.extend(quantities(&COSTS, &[now.cost[i], next.cost[i], next.p_cost[i]]));
+        quantities(&mut told, &COSTS, &[now.cost[i], next.cost[i], next.p_cost[i]]);
         told.marks = vec![
             mark(meaning, layers::BEFORE.key, x),
             mark(meaning, layers::MEAN_BEST.key, &after.m),

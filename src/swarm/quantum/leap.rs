@@ -54,7 +54,7 @@ pub(super) struct Quantum {
     /// Particles by cost; scratch space.
     #[state(skip)]
     order: Vec<(f64, usize)>,
-    rng: Stream,
+    pub(super) rng: Stream,
     pub(super) clock: Clock,
 }
 
@@ -75,6 +75,8 @@ pub(super) trait Watch {
     fn wants(&self, _i: usize) -> bool {
         false
     }
+    /// It is about to leap.
+    fn begins(&mut self, _swarm: &mut Quantum) {}
     fn leap(&mut self, _leap: Leap) {}
 }
 
@@ -113,6 +115,7 @@ impl Quantum {
         }
         for i in self.population.next_part(1) {
             if watch.wants(i) {
+                watch.begins(self);
                 self.leap(i, watch);
             } else {
                 self.leap(i, &mut ());

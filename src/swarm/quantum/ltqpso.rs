@@ -23,15 +23,15 @@ const ATTRACTOR: Formula = Formula::of_item(
     "attractor",
     "[LTQPSO] (7)",
     "Local attractor",
-    "p_{ij} = G_j + \\varphi \\cdot ip_i \\, (P_{ij} - G_j)",
-    "p = @g@ + @phi@ \\cdot @ip@ \\, (@p@ - @g@) = @attractor@",
+    "\\class{attractors}{p_{ij}} = G_j + \\varphi \\cdot ip_i \\, (P_{ij} - G_j)",
+    "p = @g@ + @phi@ \\cdot @ip@ \\, (@p@ - @g@) = \\class{attractors}{@attractor@}",
 );
 const LEAP: Formula = Formula::of_item(
     "leap",
     "[LTQPSO] (9)",
     "Leap",
-    "X_{ij} \\leftarrow p_{ij} \\pm \\alpha \\cdot gs_j \\, |m_j - X_{ij}| \\ln\\frac{1}{u}",
-    "X = @attractor@ + (@sign@) \\cdot @alpha@ \\cdot @gs@ \\, |@m@ - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
+    "X_{ij} \\leftarrow \\class{attractors}{p_{ij}} \\pm \\alpha \\cdot gs_j \\, |\\class{mean-best}{m_j} - X_{ij}| \\ln\\frac{1}{u}",
+    "X = \\class{attractors}{@attractor@} + (@sign@) \\cdot @alpha@ \\cdot @gs@ \\, |\\class{mean-best}{@m@} - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
 );
 const EVOLUTION: Formula =
     Formula::of_item("ip", "[LTQPSO] (5)", "Evolution speed", "ip_i = \\frac{F(G)}{F(P_i)}", "ip = \\frac{@f_g@}{@f_p@} = @ip@");
@@ -93,6 +93,7 @@ pub const ENTRY: Entry = Entry::new(
     layers::BEFORE,
     layers::JUMP,
     layers::AFTER,
+    layers::SUPPOSED,
 ])
 .suggest(suggest);
 

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::layers,
-    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started},
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, rng::Stream},
     message,
     swarm::{
         draw::CONTEXT,
@@ -71,6 +71,10 @@ impl Explain for Quantum {
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+        self.explain_step(item, None)
+    }
+
+    fn suppose(&self, item: Item, supposition: &str, others: &Stream) -> Option<Inspection> {
+        self.explain_step(item, Some((supposition, others)))
     }
 }

@@ -23,15 +23,15 @@ const ATTRACTOR: Formula = Formula::of_item(
     "attractor",
     "[LTQPSO] (2, 4)",
     "Local attractor",
-    "p_{ij} = \\varphi P_{ij} + (1 - \\varphi) G_j = G_j + \\varphi (P_{ij} - G_j)",
-    "p = @g@ + @phi@ \\, (@p@ - @g@) = @attractor@",
+    "\\class{attractors}{p_{ij}} = \\varphi P_{ij} + (1 - \\varphi) G_j = G_j + \\varphi (P_{ij} - G_j)",
+    "p = @g@ + @phi@ \\, (@p@ - @g@) = \\class{attractors}{@attractor@}",
 );
 const LEAP: Formula = Formula::of_item(
     "leap",
     "[LTQPSO] (1, 23)",
     "Leap",
-    "X_{ij} \\leftarrow p_{ij} \\pm \\alpha \\, |m_j - X_{ij}| \\ln\\frac{1}{u}",
-    "X = @attractor@ + (@sign@) \\cdot @alpha@ \\cdot |@m@ - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
+    "X_{ij} \\leftarrow \\class{attractors}{p_{ij}} \\pm \\alpha \\, |\\class{mean-best}{m_j} - X_{ij}| \\ln\\frac{1}{u}",
+    "X = \\class{attractors}{@attractor@} + (@sign@) \\cdot @alpha@ \\cdot |\\class{mean-best}{@m@} - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
 );
 
 /// See the module.
@@ -62,6 +62,7 @@ pub const ENTRY: Entry = Entry::new(
     layers::BEFORE,
     layers::JUMP,
     layers::AFTER,
+    layers::SUPPOSED,
 ])
 .suggest(suggest);
 

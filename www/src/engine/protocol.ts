@@ -55,6 +55,12 @@ export interface Target {
   play: boolean
 }
 
+/** One of the suppositions of an explanation, and the number of the other random numbers. */
+export interface Supposition {
+  name: string
+  draw: number
+}
+
 /** All that is wanted of a host: it converges to the newest. */
 export interface Desired {
   start: Start | null
@@ -64,6 +70,8 @@ export interface Desired {
   speed: Speed
   /** The item of the picture that is explained. */
   item: Item | null
+  /** What is supposed otherwise in its step. */
+  supposition: Supposition | null
   viewport: Viewport
   /** Reports bring the members' numbers at most so often, in milliseconds; null: never. */
   members: number | null
@@ -84,6 +92,7 @@ export const DEFAULTS: Desired = {
   clock: 'iterations',
   speed: 30,
   item: null,
+  supposition: null,
   viewport: { fields: [], window: null },
   members: null,
   underway: true,
@@ -171,6 +180,8 @@ export interface Report extends Picture {
   /** If it has changed. */
   span: Span | null
   inspection: Inspection | null
+  /** What it would have done. */
+  supposed: Inspection | null
   /** The members' numbers, row by row; null: not asked for, or not again yet. */
   members: Float64Array | null
   /** It is where it was wanted, and stays there. */

@@ -16,8 +16,8 @@ export interface Overlay {
   look: Look
 }
 
-/** What an inspection draws. */
-export interface Detail extends Pick<Inspection['layers'][number], 'shape' | 'vertices'> {
+/** What an inspection draws, and how it is to look there. */
+export interface Detail extends Pick<Inspection['layers'][number], 'role' | 'shape' | 'vertices'> {
   look: Look
 }
 

@@ -39,13 +39,6 @@ export const resultOf = (shown: readonly { look: Look }[]): number => Math.max(0
 /** A look where the result has this rank. */
 export const lookBeside = (look: Look, result: number): Look => (look.result && look.result < result ? { ...look, ...RAW } : look)
 
-/** In an inspection there is only one of each: it is drawn clearly. */
-export const closer = (look: Look): Look => ({
-  ...look,
-  width: Math.max(look.width, 1.75),
-  opacity: [Math.max(look.opacity[0], 0.85), 1],
-})
-
 /** A look's colour for a style sheet. */
 export const cssOf = ({ light, dark }: Color, isDark: boolean): string => (isDark ? dark : light)
 

@@ -171,7 +171,7 @@ export class Lab {
       if (start) void run.suggested.ask(this.api, start.setup, report.run.scene.kind)
     }
     run.receive(report)
-    this.selection.inspection = report.inspection
+    this.selection.receive(report)
     playback.showReport(report)
     if (playback.restarting || !client.follows(report)) return
     if (report.link !== null) this.address.write(report.link, report.hash === null ? 'soon' : 'now')

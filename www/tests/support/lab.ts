@@ -13,6 +13,8 @@ export const HASH = /^[0-9a-f]{16}$/
 /** Where panels are that are not in *Setup*. */
 const TABS: Readonly<Record<string, 'explain' | 'chart'>> = {
   inspect: 'explain',
+  'inspect-table': 'explain',
+  'inspect-values': 'explain',
   formulas: 'explain',
   members: 'explain',
   joints: 'explain',

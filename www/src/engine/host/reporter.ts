@@ -64,6 +64,9 @@ export class Reporter {
     const events = this.events()
     const span = this.newSpan(state.furthest.iteration)
     const inspection = desired.item ? session.inspect(desired.item) : null
+    const { item, supposition } = desired
+    const known = inspection?.suppositions.some(({ name }) => name === supposition?.name)
+    const supposed = item && supposition && known ? session.suppose(item, supposition.name, supposition.draw) : null
     const members = this.members(desired.members, state.arrived)
     const curve = desired.clock === 'evaluations' ? this.newCurve() : null
     const { evaluations, status } = session
@@ -84,6 +87,7 @@ export class Reporter {
       events,
       span,
       inspection,
+      supposed,
       members,
       curve,
       ...rare,

@@ -4,6 +4,8 @@ const PLACEHOLDER = /<mtext>@([\w.-]+)@<\/mtext>/g
 /** Between an operator and what follows it in the next piece of a formula. */
 const BREAK = /(<\/mo>)<\/mrow><mrow>$/
 const SPACE = /(<mspace[^>]*>(<\/mspace>)?)+$/
+/** Where a term begins that an arrow stands for. */
+const TERM = /<mrow class="[\w-]+">$/
 /** After these a minus sign can't be mistaken for a subtraction. */
 const OPENS = /(^|<(?:math|mrow|mfrac|msqrt|mtd|mstyle)[^>]*>|<mo[^>]*>[=,(|[→≤≥∈⁡]<\/mo>)$/
 
@@ -12,7 +14,7 @@ export function fill(mathml: string, values: Readonly<Record<string, number>>): 
   return mathml.replace(PLACEHOLDER, (_, name: string, at: number) => {
     const value = values[name]
     if (value === undefined) return '<mtext>□</mtext>'
-    const before = mathml.slice(0, at).replace(BREAK, '$1').replace(SPACE, '')
+    const before = mathml.slice(0, at).replace(TERM, '').replace(BREAK, '$1').replace(SPACE, '')
     return numeral(value, !OPENS.test(before))
   })
 }

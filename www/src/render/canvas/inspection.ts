@@ -1,6 +1,5 @@
 import type { Point } from 'forage-lab'
 import type { Detail } from '../display'
-import { closer } from '../looks'
 import { drawPath } from './layers'
 import { applyStyle, type Context, isMarked, marked, type Pen } from './pen'
 import { toScreen } from '../view'
@@ -12,10 +11,9 @@ export const [MANY, SMALL] = [60, 13]
 export function drawInspection(pen: Pen, details: readonly Detail[]): void {
   const { context, view, size } = pen
   for (const { look, shape, vertices } of [...details].sort((a, b) => a.look.order - b.look.order)) {
-    const style = closer(look)
-    applyStyle(pen, style)
-    context.globalAlpha = style.opacity[0]
-    if (shape === 'polyline') drawPath(pen, vertices, style)
+    applyStyle(pen, look)
+    context.globalAlpha = look.opacity[0]
+    if (shape === 'polyline') drawPath(pen, vertices, look)
     else if (shape === 'segments') {
       for (let at = 0; at + 1 < vertices.length; at += 2) {
         const [from, to] = [vertices[at], vertices[at + 1]]
@@ -24,13 +22,13 @@ export function drawInspection(pen: Pen, details: readonly Detail[]): void {
     } else {
       for (const vertex of vertices) {
         const [x, y] = toScreen(view, size, vertex)
-        if (isMarked(style)) {
-          marked(pen, vertices.length > MANY ? { ...style, point: Math.min(style.point, SMALL) } : style, x, y)
+        if (isMarked(look)) {
+          marked(pen, vertices.length > MANY ? { ...look, point: Math.min(look.point, SMALL) } : look, x, y)
           continue
         }
         context.beginPath()
-        context.arc(x, y, style.point / 2 + 1, 0, 2 * Math.PI)
-        if (style.dash) context.stroke()
+        context.arc(x, y, look.point / 2 + 1, 0, 2 * Math.PI)
+        if (look.dash) context.stroke()
         else context.fill()
       }
     }

@@ -6,7 +6,6 @@ import { HANDLE, plate } from '../canvas/ground'
 import { arrow, MANY, SMALL } from '../canvas/inspection'
 import { applyStyle, isMarked, marked, type CanvasPen } from '../canvas/pen'
 import type { Detail } from '../display'
-import { closer } from '../looks'
 import { faceOf, facing, type Grip, isHidden, liftAt } from './handles'
 import type { Camera } from './camera'
 
@@ -152,26 +151,25 @@ function lift({ context, palette }: CanvasPen, [x, y]: readonly [number, number]
 export function drawDetails(pen: CanvasPen, camera: Camera, scene: ArmScene, details: readonly Detail[]): void {
   const { context } = pen
   for (const { look, shape, vertices } of [...details].sort((a, b) => a.look.order - b.look.order)) {
-    const style = closer(look)
-    applyStyle(pen, style)
+    applyStyle(pen, look)
     const seen = vertices.map((vertex) => camera.project(vertex))
     if (shape === 'points') {
-      const small = vertices.length > MANY ? { ...style, point: Math.min(style.point, SMALL) } : style
+      const small = vertices.length > MANY ? { ...look, point: Math.min(look.point, SMALL) } : look
       seen.forEach((at, index) => {
         const vertex = vertices[index]
         if (!at || !vertex) return
-        context.globalAlpha = style.opacity[0] * (isHidden(scene, camera, vertex) ? BEHIND : 1)
-        if (isMarked(style)) marked(pen, small, at.x, at.y)
+        context.globalAlpha = look.opacity[0] * (isHidden(scene, camera, vertex) ? BEHIND : 1)
+        if (isMarked(look)) marked(pen, small, at.x, at.y)
         else {
           context.beginPath()
-          context.arc(at.x, at.y, style.point / 2 + 1, 0, 2 * Math.PI)
-          if (style.dash) context.stroke()
+          context.arc(at.x, at.y, look.point / 2 + 1, 0, 2 * Math.PI)
+          if (look.dash) context.stroke()
           else context.fill()
         }
       })
       continue
     }
-    context.globalAlpha = style.opacity[0]
+    context.globalAlpha = look.opacity[0]
     for (let at = 0; at + 1 < seen.length; at += shape === 'polyline' ? 1 : 2) {
       const [from, to] = [seen[at], seen[at + 1]]
       if (!from || !to) continue
