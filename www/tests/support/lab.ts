@@ -150,7 +150,8 @@ export class Lab {
   }
 
   /** The stage's pixels once nothing has been drawn for a few frames: for a run that stands still. */
-  picture(): Promise<Picture> {
+  async picture(): Promise<Picture> {
+    await expect(this.stage).toHaveAttribute('data-drawn', 'true')
     return this.stage.evaluate(async (stage: HTMLCanvasElement) => {
       // A copy is read: reading the page's own canvas would change how the browser keeps it.
       const copy = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })
