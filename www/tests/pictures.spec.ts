@@ -19,9 +19,14 @@ for (const scheme of ['light', 'dark'] as const) {
           const box = lab.page.getByTestId(`layer-${role}`)
           await box.setChecked(!(await box.isChecked()))
           // The thread that draws may be a few frames behind.
-          let next = whole
-          await expect.poll(async () => seen.has((next = await lab.picture()).digest)).toBe(false)
-          seen.add(next.digest)
+          const pictures = [whole.digest]
+          await expect
+            .poll(async () => {
+              pictures.push((await lab.picture()).digest)
+              return seen.has(pictures.at(-1) ?? '')
+            })
+            .toBe(false)
+          seen.add(pictures.at(-1) ?? '')
         }
       })
     }
