@@ -126,6 +126,17 @@ fn what_a_run_says_is_true(entry: &'static Entry) {
     }
 }
 
+/// Nothing is offered that cannot be tried, and nothing tried of which it cannot be read what it does.
+fn every_planner_has_a_case_and_says_what_it_does() {
+    for entry in standard().planners() {
+        assert!(!entry.cases.is_empty() && entry.pseudocode.len() > 3, "{}", entry.name);
+        // With numbers of the iteration, not of the setup alone.
+        let live =
+            entry.readings.iter().filter(|reading| entry.pseudocode.iter().any(|line| line.contains(&format!("@{}@", reading.name))));
+        assert!(live.count() > 0, "{}", entry.name);
+    }
+}
+
 /// The hash is of the setup, too: before the first step it tells planners, scenes, seeds and parameters apart that begin
 /// alike. What is written about a scene is not part of it.
 fn no_two_setups_share_a_hash() {
@@ -243,6 +254,7 @@ fn what_cannot_run_is_refused() {
 fn main() -> ExitCode {
     let mut trials = vec![
         trial("what_cannot_run_is_refused", what_cannot_run_is_refused),
+        trial("every_planner_has_a_case_and_says_what_it_does", every_planner_has_a_case_and_says_what_it_does),
         trial("no_two_setups_share_a_hash", no_two_setups_share_a_hash),
     ];
     for &entry in standard().planners() {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use forage::{
     Registry,
-    describe::{Entry, Formula, Layer, Look, Preset, SceneKind, layers},
+    describe::{Case, Entry, Formula, Layer, Look, Preset, SceneKind, layers},
     kernel::SceneKindId,
     params::{Fixed, Param},
     scene::{DISCS, discs},
@@ -61,6 +61,14 @@ static ENTRIES: &[(&Entry, &str, &str)] = &[
         "its_presets_run_and_change_something",
         "differ from the defaults",
     ),
+    (&GOOD_ENTRY.cases(&[Case::new("gone", "Gone", "Nothing.", "nowhere", &[])]), "its_cases_show_something", "a shipped scene"),
+    (&GOOD_ENTRY.cases(&[Case::new("mute", "", "", "wcpso-discs", &[])]), "its_cases_show_something", "a title"),
+    (
+        &GOOD_ENTRY.cases(&[Case::new("same", "Same", "Same.", "wcpso-discs", &[("tries", Fixed::Number(5.0))])]),
+        "its_cases_show_something",
+        "differ from the defaults",
+    ),
+    (&GOOD_ENTRY.pseudocode(&["look at @speeed@"]), "its_cases_show_something", "indent by two spaces"),
 ];
 
 fn registry(entry: &'static Entry) -> Arc<Registry> {

@@ -134,18 +134,15 @@ impl Planner for @TYPE@ {
 impl Explain for @TYPE@ {
     /// TODO: what the last step did to an item and why.
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        let here = item.layer == CORNER.key && item.index == 0;
-        here.then(|| Inspection {
-            values: vec![
-                label!("@NAME@-x", "x", "x", "x coordinate").is(self.corner[0]),
-                label!("@NAME@-y", "y", "y", "y coordinate").is(self.corner[1]),
-            ],
-            ..Inspection::new(
-                item,
-                message!("@NAME@-corner", "Corner"),
-                "drawn",
-                message!("@NAME@-drawn", "It was drawn uniformly in the scene."),
-            )
-        })
+        if item.layer != CORNER.key || item.index != 0 {
+            return None;
+        }
+        let summary = message!("@NAME@-drawn", "It was drawn uniformly in the scene.");
+        let mut told = Inspection::new(item, message!("@NAME@-corner", "Corner"), "drawn", summary);
+        told.values = vec![
+            label!("@NAME@-x", "x", "x", "x coordinate").is(self.corner[0]),
+            label!("@NAME@-y", "y", "y", "y coordinate").is(self.corner[1]),
+        ];
+        Some(told)
     }
 }

@@ -1,7 +1,7 @@
 //! `aco`: the traditional ant colony, [ANTBAT](crate#papers) §3.1.
 
 use crate::{
-    describe::{Entry, Preset},
+    describe::{Case, Entry, Preset},
     params::{Fixed, Parameter},
 };
 
@@ -36,6 +36,27 @@ const OWN: &[Parameter] = &[
     TAU_MIN.entry(),
 ];
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "trail",
+    "A trail builds up",
+    "Ants wander at first. Pheromone gathers on short ways, and after some dozens of iterations all follow one.",
+    "ant-bat-30",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "every step from cell to cell begins with pheromone $\\tau_0$ = @tau_0@",
+    "repeat until iteration @iterations@:",
+    "  each of the @ants@ ants goes from the start, cell by cell:",
+    "    it takes a step with probability $\\propto \\tau^\\alpha \\eta^\\beta$, with $\\alpha$ = @alpha@ and $\\beta$ = @beta@",
+    "    it enters no cell twice",
+    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  pheromone evaporates: $\\tau \\leftarrow (1 - \\rho) \\tau$, with $\\rho$ = @rho@",
+    "  each ant that arrived lays $Q / L$ on its steps, with $Q$ = @q@",
+    "  the shortest path so far has length @length@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "aco",
@@ -50,4 +71,6 @@ pub const ENTRY: Entry = Entry::new(
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
 .layers(LAYERS)
-.presets(&[AS_IN_PAPER]);
+.presets(&[AS_IN_PAPER])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

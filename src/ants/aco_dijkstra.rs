@@ -2,7 +2,7 @@
 //! reference 14.
 
 use crate::{
-    describe::{CONVERGED, Entry, Formula},
+    describe::{CONVERGED, Case, Entry, Formula},
     params::{Param, Parameters},
     scene::grid_path::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
     settled::SETTLED,
@@ -42,6 +42,27 @@ const RULE: Formula = Formula::new(
     "q_0 = @q0@",
 );
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "map",
+    "Ants on a Dijkstra path",
+    "Pheromone begins on an exact path, so the colony needs about ten iterations.",
+    "wolf-ant-20",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "the steps of a Dijkstra path begin with @seeded@ times the pheromone of all others",
+    "repeat until iteration @iterations@:",
+    "  each of the @ants@ ants goes from the start, cell by cell:",
+    "    with probability $q_0$ = @q0@ it takes the best step, otherwise it draws one",
+    "    it enters no cell twice",
+    "    a step’s weight is $\\tau^\\alpha \\eta^\\beta$, with $\\alpha$ = @alpha@ and $\\beta$ = @beta@",
+    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  pheromone evaporates, with $\\rho$ = @rho@; each ant that arrived lays $Q / L$",
+    "  the shortest path so far has length @length@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "aco-dijkstra",
@@ -75,7 +96,9 @@ pub const ENTRY: Entry = Entry::new(
     GREED,
 ])
 .formulas(&[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
-.layers(LAYERS);
+.layers(LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// What sets this colony apart.
 fn variant(settings: &Parameters) -> Variant {

@@ -1,7 +1,7 @@
 //! `aco-direction`: ants that mind their direction, rewarded and punished by the median, [ANTBAT](crate#papers) §3.1.
 
 use crate::{
-    describe::{Entry, Formula},
+    describe::{Case, Entry, Formula},
     params::{Choice, Param, ParamValue, Parameter, Parameters},
 };
 
@@ -116,6 +116,37 @@ const OWN: &[Parameter] = &[
     TAU_MIN.default_to(0.1).entry(),
 ];
 
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new(
+        "direction",
+        "Ants with a sense of direction",
+        "They prefer steps that go straight on and toward the goal, and agree within about ten iterations.",
+        "ant-bat-30",
+        &[],
+    ),
+    Case::new(
+        "rooms",
+        "Direction misleads in rooms",
+        "Walls lead away from the goal: ants that mind its direction stay on a longer way.",
+        "rooms-20",
+        &[],
+    ),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "every step from cell to cell begins with pheromone $\\tau_0$ = @tau_0@",
+    "repeat until iteration @iterations@:",
+    "  each of the @ants@ ants goes from the start, cell by cell:",
+    "    probability $\\propto \\tau^\\alpha \\eta^\\beta \\psi^\\gamma$, with $\\alpha$ = @alpha@, $\\beta$ = @beta@, $\\gamma$ = @gamma@",
+    "    it enters no cell twice",
+    "    $\\psi$ is the larger, the less it turns and the nearer it keeps to the goal’s direction",
+    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  pheromone evaporates, with $\\rho$ = @rho@",
+    "  each ant that arrived lays $Q / L$, more on ways below the median, less on others",
+    "  the shortest path so far has length @length@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "aco-direction",
@@ -129,7 +160,9 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD])
-.layers(LAYERS);
+.layers(LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// What sets this colony apart.
 fn variant(settings: &Parameters) -> Variant {

@@ -2,7 +2,7 @@
 //! [WOLF-ANT](crate#papers) §5.1.
 
 use crate::{
-    describe::{Entry, Formula, Preset},
+    describe::{Case, Entry, Formula, Preset},
     params::{Choice, Fixed, Param, ParamValue, Parameter, Parameters},
 };
 
@@ -100,6 +100,31 @@ const OWN: &[Parameter] = &[
     TAU_MIN.default_to(1.0).entry(),
 ];
 
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new("map", "The best lay more, the worst less", "The colony agrees after some forty iterations.", "wolf-ant-20", &[]),
+    Case::new(
+        "misled",
+        "Ranks mislead in rooms",
+        "With the published parameters ants follow a cell’s rank even where walls lead away from the goal.",
+        "rooms-20",
+        &[("beta", Fixed::Number(7.0)), ("rho", Fixed::Number(0.367))],
+    ),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "every step from cell to cell begins with pheromone $\\tau_0$ = @tau_0@",
+    "repeat until iteration @iterations@:",
+    "  each of the @ants@ ants goes from the start, cell by cell:",
+    "    it takes a step with probability $\\propto \\tau^\\alpha \\eta^\\beta$, with $\\alpha$ = @alpha@ and $\\beta$ = @beta@",
+    "    it enters no cell twice",
+    "    $\\eta$ ranks the neighbours by their distance to the goal",
+    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  pheromone evaporates, with $\\rho$ = @rho@; each ant that arrived lays $Q / L$",
+    "  the iteration’s best way gets more, its worst way less",
+    "  the shortest path so far has length @length@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "aco-wolf",
@@ -121,7 +146,9 @@ pub const ENTRY: Entry = Entry::new(
     TRADITIONAL.when(UPDATE, "ant"),
 ])
 .layers(LAYERS)
-.presets(&[AS_IN_PAPER]);
+.presets(&[AS_IN_PAPER])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// What sets this colony apart.
 fn variant(settings: &Parameters) -> Variant {

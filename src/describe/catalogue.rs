@@ -10,7 +10,7 @@ use crate::{
     params::{Choice, Domain, Object, Parameter, Value, When},
 };
 
-use super::{Color, Column, Entry, EventKind, Follower, Formula, Generator, Layer, Member, Preset, Reading, Registry, layers};
+use super::{Case, Color, Column, Entry, EventKind, Follower, Formula, Generator, Layer, Member, Preset, Reading, Registry, layers};
 
 /// All that a registry lists, without the functions.
 #[derive(Debug, Serialize)]
@@ -99,8 +99,12 @@ struct PlannerView {
     most_stops: Option<usize>,
     parameters: Vec<ParameterView>,
     presets: &'static [Preset],
+    /// Runs that show what it does.
+    cases: &'static [Case],
     readings: &'static [Reading],
     formulas: &'static [Formula],
+    /// What it does, line by line: `$…$` is TeX, `@name@` a reading or a parameter, two spaces are a level.
+    pseudocode: &'static [&'static str],
     /// The layers that it draws, in drawing order. A frame's table of spans counts them from 0.
     layers: &'static [Layer],
     /// The layers that only its explanations mark.
@@ -114,8 +118,24 @@ struct PlannerView {
 impl PlannerView {
     fn of(entry: &'static Entry) -> Self {
         let (layers, marks) = entry.drawn_and_marked();
-        let &Entry { name, title, family, source, summary, kinds, stops, most_stops, presets, readings, formulas, members, events, .. } =
-            entry;
+        let &Entry {
+            name,
+            title,
+            family,
+            source,
+            summary,
+            kinds,
+            stops,
+            most_stops,
+            presets,
+            cases,
+            readings,
+            formulas,
+            pseudocode,
+            members,
+            events,
+            ..
+        } = entry;
         let parameters = ParameterView::all(entry.parameters, kinds);
         Self {
             name,
@@ -128,8 +148,10 @@ impl PlannerView {
             most_stops,
             parameters,
             presets,
+            cases,
             readings,
             formulas,
+            pseudocode,
             layers,
             marks,
             members,

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::{
-    kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops, error::list_of, words},
+    kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops, error::list_of, message::ENGLISH, words},
     message,
     params::{Overrides, Param, Parameter, Parameters},
 };
 
-use super::{EventKind, Formula, Layer, Member, Preset, Reading, Shown};
+use super::{Case, EventKind, Formula, Layer, Member, Preset, Reading, Shown};
 
 /// A planner's entry. Made by [`Entry::new`]; what is not set is empty.
 #[derive(Debug, Clone, Copy)]
@@ -38,6 +38,9 @@ pub struct Entry {
     pub readings: &'static [Reading],
     /// The equations that it computes.
     pub formulas: &'static [Formula],
+    /// What it does, line by line, two spaces a level: `$…$` is TeX, `@name@` a reading or a parameter. Not in a build without
+    /// English.
+    pub pseudocode: &'static [&'static str],
     /// The layers it draws, in drawing order, and after them those that only its explanations mark.
     pub layers: &'static [Layer],
     /// The numbers that it reports of each member of its population.
@@ -46,6 +49,8 @@ pub struct Entry {
     pub events: &'static [EventKind],
     /// Named sets of parameters: as published, or fitted to published values.
     pub presets: &'static [Preset],
+    /// Runs that show what it does. Not in a build without English, whose host has the catalogue.
+    pub cases: &'static [Case],
     /// The sizes that its paper recommends for these parameters; `None` if it recommends none.
     pub suggest: fn(&Parameters) -> Option<Suggestion>,
     /// Starts a run, and refuses all invalid input.
@@ -85,10 +90,12 @@ impl Entry {
             parameters: &[],
             readings: &[],
             formulas: &[],
+            pseudocode: &[],
             layers: &[],
             members: &[],
             events: &[],
             presets: &[],
+            cases: &[],
             suggest: |_| None,
             start,
         }
@@ -136,6 +143,12 @@ impl Entry {
         Self { formulas, ..self }
     }
 
+    /// Sets what it does, line by line: `$…$` is TeX, `@name@` a reading or a parameter, two spaces are a level.
+    #[must_use]
+    pub const fn pseudocode(self, lines: &'static [&'static str]) -> Self {
+        Self { pseudocode: if ENGLISH { lines } else { &[] }, ..self }
+    }
+
     /// The layers it draws, in drawing order.
     #[must_use]
     pub const fn layers(self, layers: &'static [Layer]) -> Self {
@@ -160,6 +173,12 @@ impl Entry {
         Self { presets, ..self }
     }
 
+    /// Sets runs that show what it does.
+    #[must_use]
+    pub const fn cases(self, cases: &'static [Case]) -> Self {
+        Self { cases: if ENGLISH { cases } else { &[] }, ..self }
+    }
+
     /// Sets the function that gives the sizes that its paper recommends.
     #[must_use]
     pub const fn suggest(self, suggest: fn(&Parameters) -> Option<Suggestion>) -> Self {
@@ -177,6 +196,7 @@ impl Entry {
             summary: self.summary,
             start: self.start,
             presets: &[],
+            cases: &[],
             suggest: |_| None,
             ..*other
         }

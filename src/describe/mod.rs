@@ -3,6 +3,7 @@
 //!
 //! Vocabulary only: planners and followers import from here, and nothing here depends on one of them.
 
+mod case;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) mod catalogue;
 mod color;
@@ -20,6 +21,7 @@ mod reading;
 mod registry;
 mod scene_kind;
 
+pub use case::Case;
 #[cfg(not(target_arch = "wasm32"))]
 pub use catalogue::Catalogue;
 pub(crate) use color::Hex;

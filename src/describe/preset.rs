@@ -32,7 +32,7 @@ pub struct Preset {
     pub values: &'static [(&'static str, Fixed)],
 }
 
-fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer: S) -> Result<S::Ok, S::Error> {
     Object(&values.iter().map(|&(name, value)| (name, Value::from(value))).collect::<Vec<_>>()).serialize(serializer)
 }
 

@@ -3,10 +3,10 @@
 use std::{sync::Arc, task::Poll};
 
 use crate::{
-    describe::{Entry, Start},
+    describe::{Case, Entry, Start},
     kernel::{Error, Started, State},
     message,
-    params::{Choice, Param},
+    params::{Choice, Fixed, Param},
 };
 
 use super::{
@@ -82,6 +82,35 @@ impl Route for Replanning {
     }
 }
 
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new("map", "A new way in time", "The robot foresees the disc and plans a new way to the goal.", "wolf-ant-20", &[]),
+    Case::new(
+        "printed",
+        "The printed path, driven",
+        "The path that [WOLF-ANT] prints: its length, turns and time are the printed ones.",
+        "wolf-ant-20",
+        &[
+            ("path", Fixed::Text("printed")),
+            ("robot", Fixed::Text("given")),
+            ("robot_radius", Fixed::Number(0.0)),
+            ("margin", Fixed::Number(0.0)),
+        ],
+    ),
+    Case::new("patrol", "Guards on patrol", "Where a guard stands in a door the robot waits until the way is clear.", "patrol", &[]),
+    Case::new("corridor", "A corridor with niches", "No way round: the robot backs into a niche and lets the disc pass.", "corridor", &[]),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "A* plans a path: length @planned@",
+    "drive on at @speed@ cells a second, and look every @period@ s:",
+    "  for each obstacle in sight: when will it be nearest if both go on, and how near?",
+    "  too near within @look_ahead@ s:",
+    "    search a new way round its predicted range from scratch, or wait",
+    "  @replans@ new paths, @waits@ waits so far",
+    "after @time@ s: driven @length@, closest @smallest_distance@, @collisions@ collisions",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "a-star-drive",
@@ -96,7 +125,9 @@ pub const ENTRY: Entry = Entry::new(
 .readings(READINGS)
 .formulas(&[FORMULA_APPROACH, FORMULA_TIME])
 .layers(LAYERS_BARE)
-.events(EVENTS);
+.events(EVENTS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 fn start(start: &Start) -> Result<Started, Error> {
     planner::start(start, |ground| {

@@ -3,7 +3,10 @@
 
 use std::{sync::Arc, task::Poll};
 
-use crate::{describe::Entry, kernel::State};
+use crate::{
+    describe::{Case, Entry},
+    kernel::State,
+};
 
 use super::{a_star_drive, d_star_lite::DStarLite, ground::Ground, planner, route::Route};
 
@@ -42,6 +45,25 @@ impl Route for Repaired {
     }
 }
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "crossing",
+    "The search is repaired",
+    "Where a disc is foreseen, D* Lite repairs its search instead of starting again.",
+    "crossing",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "D* Lite plans a path: length @planned@",
+    "drive on at @speed@ cells a second, and look every @period@ s:",
+    "  for each obstacle in sight: when will it be nearest if both go on, and how near?",
+    "  too near within @look_ahead@ s:",
+    "    repair the search where its predicted range changes it, or wait",
+    "  @replans@ new paths, @waits@ waits so far",
+    "after @time@ s: driven @length@, closest @smallest_distance@, @collisions@ collisions",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "d-star-lite-drive",
@@ -55,4 +77,6 @@ pub const ENTRY: Entry = Entry::new(
         })
     },
 )
-.like(&a_star_drive::ENTRY);
+.like(&a_star_drive::ENTRY)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -4,7 +4,7 @@ use std::{any::Any, sync::Arc, task::Poll};
 
 use crate::{
     ants::{COLONIES, Colony, Scouts, aco_wolf},
-    describe::{Entry, PAPER, Start, layers},
+    describe::{Case, Entry, PAPER, Start, layers},
     kernel::{Error, Explain, Frame, Inspection, Item, Planner, Progress, Started, State, rng::Stream},
     message,
     params::{Overrides, Param, Value},
@@ -116,6 +116,8 @@ impl Route for Ants {
         }
         let mut told = self.colony.inspect(item)?;
         // Those of other colonies are not among this planner's.
+        // A step of the drive is none of the colony.
+        told.suppositions.clear();
         told.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
         Some(told)
     }
@@ -124,6 +126,35 @@ impl Route for Ants {
         Box::new(self.clone())
     }
 }
+
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new(
+        "map",
+        "Round a moving obstacle",
+        "The robot foresees that the disc comes too near, and goes round it along the pheromone.",
+        "wolf-ant-20",
+        &[],
+    )
+    .seed(23),
+    Case::new(
+        "crossing",
+        "Cross traffic",
+        "Discs cross a hall from both sides: each detour has a time, a place and a reason.",
+        "crossing",
+        &[],
+    ),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "ants plan a path: length @planned@",
+    "drive on at @speed@ cells a second, and look every @period@ s:",
+    "  for each obstacle in sight: when will it be nearest if both go on, and how near?",
+    "  too near within @look_ahead@ s:",
+    "    follow the pheromone round its predicted range, or replan, or wait",
+    "  @detours@ detours, @replans@ new paths, @waits@ waits so far",
+    "after @time@ s: driven @length@, closest @smallest_distance@, @collisions@ collisions",
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -139,7 +170,9 @@ pub const ENTRY: Entry = Entry::new(
 .readings(READINGS)
 .formulas(&[FORMULA_APPROACH, FORMULA_TIME, aco_wolf::CHOICE, aco_wolf::RANKED, aco_wolf::LAID])
 .layers(LAYERS)
-.events(EVENTS);
+.events(EVENTS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 fn start(start: &Start) -> Result<Started, Error> {
     let colony = colony(start)?;

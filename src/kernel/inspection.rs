@@ -104,7 +104,10 @@ impl Mark {
 }
 
 /// An explanation: what an item did in the step that led to this iteration, and why.
+///
+/// Made by [`Inspection::new`]; what is not set is empty.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Inspection {
     /// The item that is explained.

@@ -12,7 +12,7 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, Reading, layers},
+    describe::{Case, Entry, Formula, Group, Layer, Preset, Reading, layers},
     kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Label, Planner, Progress, Readings, Started, State, rng::Stream},
     label,
     math::{self, clamp},
@@ -464,6 +464,26 @@ const PRINTED: Preset = Preset::new(
     &[("pull", Fixed::Text("printed"))],
 );
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "crate",
+    "Quieter with each success",
+    "A bat that found something better gets quieter, and accepts less often from then on.",
+    "egg-crate",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ bats begins at a random position, with $v = 0$",
+    "repeat until iteration @iterations@:",
+    "  for each bat:",
+    "    with its pulse rate (on average @pulse_rate@) it flies: $v \\leftarrow v + (g - x) f$, $x’ = x + v$",
+    "    otherwise it walks a little about the global best $g$",
+    "    if $x’$ is not worse, with its loudness (on average @loudness@) as probability:",
+    "      $x \\leftarrow x’$, and the bat gets quieter (@accepted@ did)",
+    "  $g \\leftarrow$ the best position so far, with $f(g)$ = @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "bat-continuous",
@@ -495,4 +515,6 @@ pub const ENTRY: Entry = Entry::new(
     layers::AFTER,
     layers::SUPPOSED,
 ])
-.presets(&[PRINTED]);
+.presets(&[PRINTED])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Preset},
+    describe::{Case, Entry, Formula, Preset},
     kernel::Started,
     params::{Choice, Fixed, Param, Parameters},
 };
@@ -12,7 +12,9 @@ use super::{
     encoding,
     flight::{Flight, Swarm},
     objective::Objective,
-    parameters::{AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W, W_MAX, W_MIN},
+    parameters::{
+        AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, PSEUDOCODE, READINGS, VELOCITY, W, W_MAX, W_MIN,
+    },
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
@@ -65,6 +67,15 @@ const FITTED: Preset = Preset::new(
     &[("w_law", Fixed::Text("linear")), ("random", Fixed::Text("particle"))],
 );
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "discs",
+    "From own bests to the swarm’s",
+    "At first the own best pulls more, later the swarm’s: paths spread, then gather.",
+    "wcpso-discs",
+    &[],
+)];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "cpso",
@@ -86,7 +97,9 @@ pub const ENTRY: Entry = Entry::new(
 .readings(READINGS)
 .formulas(&[LINEAR_W.when(W_LINEAR, "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION])
 .layers(LAYERS)
-.presets(&[AS_IN_TEXT, FITTED]);
+.presets(&[AS_IN_TEXT, FITTED])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
 pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {

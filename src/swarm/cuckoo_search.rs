@@ -16,7 +16,7 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, layers},
+    describe::{Case, Entry, Formula, Group, Layer, Preset, ROAD, Reading, layers},
     kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Label, Planner, Progress, Readings, Started, State, rng::Stream},
     label, message,
     params::{Fixed, Param, Parameters},
@@ -452,6 +452,25 @@ const ONE_ROAD: Preset = Preset::new(
     &[("population", Fixed::Number(25.0)), ("iterations", Fixed::Number(200.0))],
 );
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "hollows",
+    "Many short flights, few long ones",
+    "Most Lévy flights are short; a few leave a hollow for a far one.",
+    "rastrigin",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ nests begins at a random position",
+    "repeat until iteration @iterations@:",
+    "  for each nest: a Lévy flight makes a candidate; it replaces the nest if not worse (@flown@ did)",
+    "  for each nest: each coordinate, with probability $p_a$ = @p_a@,",
+    "    is moved along the difference of two random nests",
+    "    the candidate replaces the nest if not worse (@rebuilt@ did)",
+    "  the best nest has cost @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "cuckoo-search",
@@ -466,4 +485,6 @@ pub const ENTRY: Entry = Entry::new(
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])
 .formulas(&[SIGMA, STEP, FLY, ABANDON])
 .layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::AFTER, layers::SUPPOSED])
-.presets(&[ONE_ROAD]);
+.presets(&[ONE_ROAD])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

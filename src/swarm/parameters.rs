@@ -207,3 +207,14 @@ pub(super) const PERTURBED_LAYERS: &[Layer] = &[
 
 pub(super) const GUIDES: Layer = layers::GUIDES.when("encoding", "polar");
 pub(super) const SMOOTHED: Layer = layers::SMOOTHED.when("smooth", "true");
+
+/// What swarms with a velocity do, with the numbers of the iteration.
+pub(super) const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ particles begins at a random position, with $v = 0$",
+    "repeat until iteration @iterations@, with $\\omega$ = @w@, $c_1$ = @c1@, $c_2$ = @c2@:",
+    "  for each particle, in each coordinate:",
+    "    $v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)$, with $r_1$ and $r_2$ random",
+    "    $x \\leftarrow x + v$, kept in the search box",
+    "  if $f(x) < f(p)$: its own best $p \\leftarrow x$",
+    "  $g \\leftarrow$ the best $p$ of all, with $f(g)$ = @best@",
+];

@@ -2,16 +2,38 @@
 
 use std::sync::Arc;
 
-use crate::{describe::Entry, kernel::Started, params::Parameters};
+use crate::{
+    describe::{Case, Entry},
+    kernel::Started,
+    params::Parameters,
+};
 
 use super::{
     encoding,
     flight::{Flight, Swarm},
     objective::Objective,
-    parameters::{C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, VELOCITY, W},
+    parameters::{C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, PSEUDOCODE, READINGS, VELOCITY, W},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
+
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new(
+        "discs",
+        "A swarm finds its way",
+        "Paths differ at first and agree in the end. Click one: which pull was the strongest?",
+        "wcpso-discs",
+        &[],
+    ),
+    Case::new(
+        "crate",
+        "Many hollows",
+        "Particles fall into several hollows of the egg crate; the lowest draws them all.",
+        "egg-crate",
+        &[],
+    ),
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -26,7 +48,9 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), W.entry(), C1.entry(), C2.entry()], FLIGHT, ENCODED, CHARGED])
 .readings(READINGS)
 .formulas(&[VELOCITY, POSITION])
-.layers(LAYERS);
+.layers(LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
 pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {

@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Preset, ROAD, Reading, Start},
+    describe::{Case, Entry, Preset, ROAD, Reading, Start},
     kernel::{Error, Started, rng::Stream},
     params::{Fixed, Param},
     scene::GRID,
@@ -91,6 +91,26 @@ const ONE_ROAD: Preset = Preset::new(
     &[("population", Fixed::Number(20.0)), ("iterations", Fixed::Number(100.0))],
 );
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "slalom",
+    "Trees, then a swarm",
+    "Each first path comes from a random tree and is free; the swarm then shortens them.",
+    "discs-slalom",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "for each of the @population@ particles:",
+    "  a random tree grows from start to goal; its path becomes the particle’s (@from_trees@ did)",
+    "  where the tree finds none, the particle is drawn at random",
+    "repeat until iteration @iterations@, with $\\omega$ = @w@, $c_1$ = @c1@, $c_2$ = @c2@:",
+    "  for each particle:",
+    "    $v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)$, then $x \\leftarrow x + v$",
+    "    if $f(x) < f(p)$: $p \\leftarrow x$",
+    "  $g \\leftarrow$ the best $p$, with $f(g)$ = @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "pso-rrt",
@@ -124,7 +144,9 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .formulas(&[VELOCITY, POSITION])
 .layers(LAYERS)
-.presets(&[ONE_ROAD]);
+.presets(&[ONE_ROAD])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Preset},
+    describe::{Case, Entry, Formula, Preset},
     kernel::Started,
     params::{Choice, Fixed, Param, ParamValue, Parameters},
 };
@@ -219,6 +219,27 @@ const FITTED: Preset = Preset::new(
     ],
 );
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "discs",
+    "Hens and chicks",
+    "Particles that stagnate jump (the paper’s hen and chick moves). The exact optimum is 12.1416.",
+    "wcpso-discs",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ particles begins at a random position, with $v = 0$",
+    "repeat until iteration @iterations@:",
+    "  $\\omega$ = @w@, $c_1$ = @c1@, $c_2$ = @c2@: curves of the iteration",
+    "  for each particle:",
+    "    if its cost rose @patience@ times in a row: it jumps like a hen (@hens@ did)",
+    "    if the hen’s jump did not help: it jumps like a chick (@chicks@ did)",
+    "    otherwise: $v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)$, then $x \\leftarrow x + v$",
+    "    if $f(x) < f(p)$: $p \\leftarrow x$",
+    "  $g \\leftarrow$ the best $p$, with $f(g)$ = @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "wcpso",
@@ -255,7 +276,9 @@ pub const ENTRY: Entry = Entry::new(
     CHICK,
 ])
 .layers(PERTURBED_LAYERS)
-.presets(&[AS_IN_TEXT, FITTED]);
+.presets(&[AS_IN_TEXT, FITTED])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
 pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Preset},
+    describe::{Case, Entry, Preset},
     kernel::Started,
     params::{Fixed, Parameters},
 };
@@ -12,7 +12,9 @@ use super::{
     encoding,
     flight::{Flight, Swarm},
     objective::Objective,
-    parameters::{AS_IN_TEXT, C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W_MAX, W_MIN},
+    parameters::{
+        AS_IN_TEXT, C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, PSEUDOCODE, READINGS, VELOCITY, W_MAX, W_MIN,
+    },
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
@@ -24,6 +26,15 @@ const FITTED: Preset = Preset::new(
     "matyas",
     &[("w_max", Fixed::Number(0.9)), ("c1", Fixed::Number(1.5)), ("c2", Fixed::Number(1.5)), ("random", Fixed::Text("particle"))],
 );
+
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "slalom",
+    "Falling inertia",
+    "The inertia weight falls, so steps get shorter. The swarm settles a few percent above the optimum.",
+    "discs-slalom",
+    &[],
+)];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -44,7 +55,9 @@ pub const ENTRY: Entry = Entry::new(
 .readings(READINGS)
 .formulas(&[LINEAR_W, VELOCITY, POSITION])
 .layers(LAYERS)
-.presets(&[AS_IN_TEXT, FITTED]);
+.presets(&[AS_IN_TEXT, FITTED])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
 pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {

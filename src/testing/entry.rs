@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    describe::{Group, Layer, Scope, Shown},
-    params::{Domain, Parameter, Value, When},
+    describe::{Entry, Group, Layer, Scope, Shown},
+    params::{Domain, Overrides, Parameter, Value, When},
 };
 
 use super::{
@@ -159,15 +159,7 @@ pub fn presets_run(subject: &Subject, findings: &mut Findings) {
                 continue;
             }
         };
-        for (name, value) in preset.given().iter() {
-            findings.look(match entry.parameter(name) {
-                None => Err(refused(format!("there is no parameter `{name}`"))),
-                Some(parameter) if entry.kinds.iter().all(|&kind| parameter.default_on(kind) == *value) => {
-                    Err(refused(format!("{value} is the default of `{name}`")))
-                }
-                Some(parameter) => parameter.check(value).map_err(|error| refused(error.to_string())),
-            });
-        }
+        wrong_values(entry, &preset.given()).into_iter().for_each(|problem| findings.look(Err(refused(problem))));
         let Ok(mut params) = entry.preset(preset.name, scene.kind()) else { continue };
         if params.get(ITERATIONS).is_none() {
             params.insert(ITERATIONS, Value::from(3.0));
@@ -178,4 +170,16 @@ pub fn presets_run(subject: &Subject, findings: &mut Findings) {
             Ok(())
         });
     }
+}
+
+/// What is wrong with values that an entry gives for its own parameters.
+pub fn wrong_values(entry: &Entry, given: &Overrides) -> Vec<String> {
+    let wrong = |(name, value): (&str, &Value)| match entry.parameter(name) {
+        None => Some(format!("there is no parameter `{name}`")),
+        Some(parameter) if entry.kinds.iter().all(|&kind| parameter.default_on(kind) == *value) => {
+            Some(format!("{value} is the default of `{name}`"))
+        }
+        Some(parameter) => parameter.check(value).err().map(|error| error.to_string()),
+    };
+    given.iter().filter_map(wrong).collect()
 }

@@ -11,7 +11,7 @@
 //! fixed seeds: a suite finds the same every time. Build it with debug assertions, as tests usually are: only so does it see
 //! that a parameter is read which the entry does not list.
 //!
-//! - `entry`: what can be seen without running it. `parameters`: every value that the entry allows.
+//! - `entry`: what can be seen without running it. `cases`: what it is shown with. `parameters`: every value that the entry allows.
 //! - `repeat`: determinism, the way back, links, hashes. `results`: costs, solutions, limits.
 //! - `shown`: readings, layers, members and events. `explain`: explanations.
 //! - `subject` draws the runs; a `fault` in one becomes one of the `findings`, which make the `report`.
@@ -19,6 +19,7 @@
 //! The suite cannot see everything. It sees that a skipped field matters (`#[state(skip)]`) only where nothing else of the
 //! state changes with it; it does not measure memory, nor time.
 
+mod cases;
 mod entry;
 mod explain;
 mod fault;
@@ -55,6 +56,7 @@ pub struct Check {
 pub const CHECKS: &[Check] = &[
     Check { name: "its_entry_is_complete", run: entry::is_complete },
     Check { name: "its_presets_run_and_change_something", run: entry::presets_run },
+    Check { name: "its_cases_show_something", run: cases::show_something },
     Check { name: "parameters_run_at_both_ends", run: parameters::both_ends_run },
     Check { name: "values_that_are_not_allowed_are_refused_by_name", run: parameters::others_are_refused },
     Check { name: "the_same_setup_gives_the_same_bits", run: repeat::same_bits },

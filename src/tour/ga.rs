@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Member, Reading},
+    describe::{Case, Entry, Formula, Group, Member, Reading},
     kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
@@ -318,6 +318,26 @@ const SHORTER: Reading =
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, SHORTER];
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "stops",
+    "Crossover and mutation",
+    "Without local search a hundred generations end far above the optimum.",
+    "random-52",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ members holds a tour",
+    "repeat until generation @iterations@:",
+    "  the @elite@ best are kept",
+    "  for each other place: two parents win tournaments of @tournament@",
+    "    with probability @crossover@ they cross over",
+    "    with probability @mutation@ the child is mutated",
+    "  @shorter@ children are shorter than their parents",
+    "  the shortest tour has length @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "ga",
@@ -346,4 +366,6 @@ pub const ENTRY: Entry = Entry::new(
 .formulas(&[GAIN, LENGTH])
 .layers(&layers_with("The tours of this generation."))
 .calls_at_stops()
-.members(MEMBERS);
+.members(MEMBERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -8,7 +8,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Reading, layers},
+    describe::{Case, Entry, Formula, Group, Reading, layers},
     kernel::{Progress, Readings, State, Status, rng::Stream},
     params::{Param, Parameters},
 };
@@ -205,6 +205,22 @@ const PARTIAL: Reading = Reading::new(
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[SIZE, PARTIAL];
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "twelve",
+    "Twelve stops, exactly",
+    "It solves all sets of stops, small ones first; the tour is there with the last step.",
+    "open-12",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "for sets of stops, from size 1 to all of them (now size @size@):",
+    "  for each set $S$ and each last stop $j$ in it:",
+    "    $C(S, j) \\leftarrow \\min_i C(S \\setminus \\{j\\}, i) + d(i, j)$",
+    "go back through the table from the set of all stops: length @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "held-karp",
@@ -225,4 +241,6 @@ pub const ENTRY: Entry = Entry::new(
     layers::STOPS,
     layers::AFTER,
 ])
-.calls_at_most(MOST);
+.calls_at_most(MOST)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -15,7 +15,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Member, Reading},
+    describe::{Case, Entry, Formula, Member, Reading},
     kernel::{Inspection, Message, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
@@ -371,6 +371,26 @@ const MEMBERS: &[Member] = &[
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "stops",
+    "Perturbed tours",
+    "Bats swap stops toward the best tour or perturb it; the end is some percent above the optimum.",
+    "random-52",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ bats holds a tour",
+    "repeat until iteration @iterations@:",
+    "  for each bat:",
+    "    it makes a share of the swaps that lead toward the best tour",
+    "    or takes the best of @perturbations@ perturbations of the best tour",
+    "    it accepts with its loudness (on average @loudness@) as probability",
+    "  @different@ of the bats hold another tour than the best",
+    "  the shortest tour has length @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "hybrid-bat",
@@ -398,4 +418,6 @@ pub const ENTRY: Entry = Entry::new(
 .formulas(&[VELOCITY, LOUDNESS, PULSE, LENGTH])
 .layers(&layers_with("The tour of every bat."))
 .calls_at_stops()
-.members(MEMBERS);
+.members(MEMBERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Member, Reading, layers},
+    describe::{Case, Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
@@ -283,6 +283,26 @@ const SETTLED_PRESENT: Reading =
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[PRESENT, DIFFERENT, SETTLED_PRESENT, TEMPERATURE, ACCEPTED];
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "stops",
+    "It cools down",
+    "Hot, it accepts longer tours; cold, only shorter ones. It ends about one percent above the optimum.",
+    "random-52",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "begin with a random tour and the temperature at which @accept_start@ of longer ones are accepted",
+    "repeat until iteration @iterations@, with $T$ = @temperature@:",
+    "  @moves@ times for each stop: turn a random stretch round",
+    "    if the tour gets shorter: keep it",
+    "    if it gets longer by $\\Delta$: keep it with probability $e^{-\\Delta / T}$",
+    "  a share of @accepted@ of the moves was kept",
+    "  $T \\leftarrow$ @cooling@ $T$",
+    "the shortest tour has length @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "sa",
@@ -311,4 +331,6 @@ pub const ENTRY: Entry = Entry::new(
     layers::AFTER,
 ])
 .calls_at_stops()
-.members(MEMBERS);
+.members(MEMBERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

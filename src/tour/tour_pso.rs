@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Member, Preset, Reading},
+    describe::{Case, Entry, Formula, Group, Member, Preset, Reading},
     kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
     label, message,
     params::{Fixed, Param, Parameters},
@@ -325,6 +325,26 @@ const SWAPS_ALONE: Preset = Preset::new(
     &[("local_search", Fixed::Text("none"))],
 );
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "swaps",
+    "A swarm of swaps",
+    "A velocity is a list of swaps. Without local search it stays far above the optimum.",
+    "random-52",
+    &[("local_search", Fixed::Text("none"))],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ particles holds a tour $x$ and a list of swaps $v$",
+    "repeat until iteration @iterations@:",
+    "  for each particle:",
+    "    it keeps each swap of $v$ with probability $w$ = @w@",
+    "    it adds swaps toward its own best and the swarm’s, with $c_1$ = @c1@, $c_2$ = @c2@",
+    "    it makes them: @swaps@ swaps, on average",
+    "    the tour is improved by local search, where that is chosen",
+    "  the shortest tour has length @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "tour-pso",
@@ -356,4 +376,6 @@ pub const ENTRY: Entry = Entry::new(
 .layers(&layers_with("The tour of every particle."))
 .calls_at_stops()
 .members(MEMBERS)
-.presets(&[SWAPS_ALONE]);
+.presets(&[SWAPS_ALONE])
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Reading},
+    describe::{Case, Entry, Formula, Group, Reading},
     kernel::{Progress, Readings, State, Status, rng::Stream},
     params::Parameters,
 };
@@ -86,6 +86,23 @@ const LAST_GAIN: Reading = Reading::new("gain", "\\Delta D", "Gain", Group::Meas
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[MOVES_MADE, LAST_GAIN];
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "clusters",
+    "Crossings vanish",
+    "Each step makes the tour shorter. Another seed ends in another local optimum.",
+    "clustered-100",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "begin at a random stop; always go on to the nearest one that is left",
+    "repeat until no move makes the tour shorter:",
+    "  reverse a stretch (2-opt), or carry one elsewhere (Or-opt)",
+    "  @moves@ moves were made; the last saved @gain@",
+    "the tour has length @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "two-opt",
@@ -103,4 +120,6 @@ pub const ENTRY: Entry = Entry::new(
 .readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, MOVES_MADE, LAST_GAIN])
 .formulas(&[TWO_OPT, LENGTH])
 .layers(LAYERS)
-.calls_at_stops();
+.calls_at_stops()
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -28,8 +28,18 @@ pub(super) const LAYERS: &[Layer] = &[
     layers::SUPPOSED,
 ];
 /// With the samples that were kept.
-pub(super) const GUIDED_LAYERS: &[Layer] =
-    &[layers::TREE, layers::NODES, layers::SAMPLES, layers::KEPT, BEST, FINISHED, layers::CHOSEN, layers::BEFORE, layers::AFTER];
+pub(super) const GUIDED_LAYERS: &[Layer] = &[
+    layers::TREE,
+    layers::NODES,
+    layers::SAMPLES,
+    layers::KEPT,
+    BEST,
+    FINISHED,
+    layers::CHOSEN,
+    layers::BEFORE,
+    layers::AFTER,
+    layers::SUPPOSED,
+];
 /// Of two trees.
 pub(super) const CONNECT_LAYERS: &[Layer] = &[
     layers::TREE,

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::Entry,
+    describe::{Case, Entry},
     kernel::{Error, Started, State, rng::Stream},
     params::Parameters,
 };
@@ -17,6 +17,34 @@ use super::{
     space::{self, Space},
     task::Task,
 };
+
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new(
+        "slalom",
+        "A tree finds a way",
+        "Samples fall anywhere; it takes some hundred steps to wind through the slalom.",
+        "discs-slalom",
+        &[],
+    ),
+    Case::new(
+        "cuboid",
+        "A tree fills the room",
+        "The basic tree goes everywhere: compare its nodes with the guided tree’s.",
+        "arm-cuboid",
+        &[],
+    ),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "the tree begins at the start",
+    "repeat until a node is within a step of the goal:",
+    "  draw a random point $x_{\\text{rand}}$; with probability @goal_bias@ it is the goal",
+    "  the node nearest to it takes a step of @step_size@ toward it",
+    "  if that is free: it becomes a node; otherwise it is rejected",
+    "  @nodes@ nodes, @rejected@ steps rejected, @to_goal@ to go",
+    "follow the parents back from the goal: length @final_length@",
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -41,7 +69,9 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
-.layers(LAYERS);
+.layers(LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].
 ///

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::Entry,
+    describe::{Case, Entry},
     kernel::{Error, Started, State, rng::Stream},
     params::Parameters,
 };
@@ -18,6 +18,34 @@ use super::{
     task::Task,
 };
 
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new(
+        "slalom",
+        "Two trees meet",
+        "One tree grows from each end; each goes straight for the other until they meet.",
+        "discs-slalom",
+        &[],
+    ),
+    Case::new(
+        "cuboid",
+        "Two trees around a cuboid",
+        "The trees meet beside the cuboid. Let the arm follow the path: the verdict is of the whole arm.",
+        "arm-cuboid",
+        &[],
+    ),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "one tree begins at the start, one at the goal",
+    "repeat until they meet:",
+    "  draw a random point; the nearest node of one tree takes a step of @step_size@ toward it",
+    "  if that is free: the other tree goes straight for the new node, as far as it can",
+    "  the trees change places",
+    "  @nodes@ nodes, @rejected@ steps rejected",
+    "follow both trees from where they meet: length @final_length@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "rrt-connect",
@@ -31,7 +59,9 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), STEP.entry()], FINISH])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
-.layers(CONNECT_LAYERS);
+.layers(CONNECT_LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].
 ///

@@ -11,7 +11,7 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
-    describe::{Entry, Formula},
+    describe::{Case, Entry, Formula},
     kernel::{Error, Started, State, rng::Stream},
     params::{Choice, Param, ParamValue, Parameters},
 };
@@ -73,6 +73,25 @@ const FORMULA_ROULETTE_DISTANCE: Formula = Formula::of_item(
     "p = @share@, \\quad d = @to_goal@",
 )
 .when(CHOICE, "distance");
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "cuboid",
+    "Guided around a cuboid",
+    "The tree slides along the cuboid. Click a node: its twenty samples, the four kept, and the one chosen.",
+    "arm-cuboid",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "the tree begins at the start",
+    "repeat until a node is within a step of the goal:",
+    "  draw @samples@ random points, and keep @keep@ that lie toward the goal",
+    "  a roulette wheel chooses one; the node nearest to the goal takes a step of @step_size@ toward it",
+    "  if that is blocked: try the others kept, then a step of a basic tree",
+    "  @nodes@ nodes, @rejected@ steps rejected, @to_goal@ to go",
+    "follow the parents back from the goal: length @final_length@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "rrt-guided",
@@ -86,7 +105,9 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), STEP.entry(), SAMPLES.entry(), KEEP.entry(), CHOICE.entry(), FALLBACK.entry()], FINISH])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE])
-.layers(GUIDED_LAYERS);
+.layers(GUIDED_LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].
 ///

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Member, Start},
+    describe::{Case, Entry, Member, Start},
     kernel::{Error, Started},
     params::Param,
     scene::ARM,
@@ -16,6 +16,28 @@ use super::{
     parameters::{BLEND, FORMULA_STEP, ITERATIONS, POLYLINE, READINGS, SHORTEN, SMOOTH, TOLERANCE},
     rrt_connect,
 };
+
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new(
+        "cuboid",
+        "Trees of postures",
+        "The whole arm keeps clear. The same tree is shown in pairs of joints and in space.",
+        "arm-cuboid",
+        &[],
+    ),
+    Case::new("puma", "Another arm: PUMA 560", "Its postures, its motion and its reach follow from a table of joints.", "arm-puma", &[]),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "one tree begins at the first posture, one at up to @goals@ postures at the goal",
+    "repeat until they meet:",
+    "  draw random joint angles; the nearest posture of one tree turns by @step_size@ rad toward them",
+    "  if no link touches anything on the way: the other tree turns straight toward it",
+    "  the trees change places",
+    "  @nodes@ postures, @rejected@ rejected",
+    "follow both trees from where they meet: the tip’s path is @final_length@ long",
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -34,7 +56,9 @@ pub const ENTRY: Entry = Entry::new(
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
 .layers(CONNECT_LAYERS)
-.members(MEMBERS);
+.members(MEMBERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 fn start(start: &Start) -> Result<Started, Error> {
     rrt_connect::on(Arc::new(Joints::new(start.scene, start.parameters)?), start.parameters, start.seed)

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::Entry,
+    describe::{Case, Entry},
     kernel::{Error, Started, State, rng::Stream},
     math,
     params::Parameters,
@@ -22,6 +22,29 @@ use super::{
     task::Task,
     vector::distance,
 };
+
+/// Runs that show something.
+const CASES: &[Case] = &[
+    Case::new(
+        "slalom",
+        "Ever shorter",
+        "The first path comes soon; the tree is rewired, and the path gets ever shorter.",
+        "discs-slalom",
+        &[],
+    ),
+    Case::new("cuboid", "Rewired around a cuboid", "The path comes near to the tip’s shortest way.", "arm-cuboid", &[]),
+];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "the tree begins at the start",
+    "repeat until extension @iterations@:",
+    "  draw a random point; once there is a path, only where a shorter one can lead",
+    "  the nearest node takes a step of @step_size@ toward it",
+    "  if that is free: the new node takes the parent with the shortest way",
+    "    neighbours to which the way over it is shorter take it as parent",
+    "  @nodes@ nodes, @rejected@ steps rejected",
+    "  the shortest path so far has length @best@",
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -45,7 +68,9 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE])
-.layers(LAYERS);
+.layers(LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].
 ///

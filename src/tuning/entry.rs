@@ -1,11 +1,33 @@
 //! The entry of `pso-tuning`.
 
-use crate::{describe::Entry, scene::GRID};
+use crate::{
+    describe::{Case, Entry},
+    scene::GRID,
+};
 
 use super::{
     parameters::{C1, C2, COLONY, ITERATIONS, LAYERS, POPULATION, READINGS, ROUNDS, SEEDS, TUNE, VELOCITY, W},
     planner::start,
 };
+
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "rooms",
+    "A swarm tunes ants",
+    "Each particle is a set of the colony’s parameters, judged by a few runs. Ranks matter less in rooms.",
+    "rooms-20",
+    &[],
+)
+.seed(2)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ particles is a set of parameters of the colony, drawn at random",
+    "repeat until round @iterations@:",
+    "  for each particle:",
+    "    @seeds@ runs of the colony with @colony_iterations@ iterations: the mean length is its cost",
+    "    $v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)$, then $x \\leftarrow x + v$",
+    "  @runs@ runs of the colony so far; the best mean length is @best@",
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -30,4 +52,6 @@ pub const ENTRY: Entry = Entry::new(
 ]])
 .readings(READINGS)
 .formulas(&[VELOCITY])
-.layers(LAYERS);
+.layers(LAYERS)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);

@@ -243,11 +243,10 @@ impl Explain for OneCorner {
         if item.layer != CORNER.key || (item.index > 0 && self.wrong != ExplainsBeyond) {
             return None;
         }
-        Some(Inspection {
-            values: vec![label!("corner-x", "x", "x", "Coordinate").is(self.memory().tried[0])],
-            formulas: if self.wrong == OtherFormula { vec!["other"] } else { Vec::new() },
-            ..Inspection::new(item, message!("corner", "Corner"), "tried", message!("corner-drawn", "It was drawn at random."))
-        })
+        let mut told = Inspection::new(item, message!("corner", "Corner"), "tried", message!("corner-drawn", "It was drawn at random."));
+        told.values = vec![label!("corner-x", "x", "x", "Coordinate").is(self.memory().tried[0])];
+        told.formulas = if self.wrong == OtherFormula { vec!["other"] } else { Vec::new() };
+        Some(told)
     }
 }
 

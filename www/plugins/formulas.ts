@@ -26,6 +26,7 @@ interface Symbols {
     parameters: { symbol: string }[]
     readings: { symbol: string }[]
     formulas: Formula[]
+    pseudocode: string[]
   }[]
   drive: Follower
   motion: Follower
@@ -49,7 +50,13 @@ export function formulas(core: string): Plugin {
       this.addWatchFile(file)
       const catalogue = await readCatalogue(file)
       const displayed = formulasOf(catalogue)
-      if (id !== RESOLVED) return `export default ${JSON.stringify(typeset(displayed[id.slice(RESOLVED.length + 1)] ?? new Set(), true))}`
+      if (id !== RESOLVED) {
+        const name = id.slice(RESOLVED.length + 1)
+        return [
+          `export default ${JSON.stringify(typeset(displayed[name] ?? new Set(), true))}`,
+          `export const inline = ${JSON.stringify(typeset(inlineOf(catalogue, name), false))}`,
+        ].join('\n')
+      }
       const loaders = Object.keys(displayed).map((name) => `${JSON.stringify(name)}: () => import(${JSON.stringify(`${ID}/${name}`)})`)
       return [
         `export const inline = ${JSON.stringify(typeset(symbolsOf(catalogue), false))}`,
@@ -70,6 +77,12 @@ function symbolsOf({ planners, symbols = [], ...others }: Symbols): Set<string> 
   const followers = FOLLOWERS.flatMap((name) => [...others[name].parameters, ...others[name].columns])
   const told = [...planners.flatMap(({ parameters, readings }) => [...parameters, ...readings]), ...followers]
   return new Set([...symbols, ...told.map(({ symbol }) => symbol)])
+}
+
+/** The TeX in a planner's pseudocode. */
+function inlineOf({ planners }: Symbols, name: string): Set<string> {
+  const lines = planners.find((planner) => planner.name === name)?.pseudocode ?? []
+  return new Set(lines.flatMap((line) => [...line.matchAll(/\$([^$]*)\$/g)].map(([, tex = '']) => tex)))
 }
 
 function formulasOf({ planners, ...others }: Symbols): Record<string, Set<string>> {

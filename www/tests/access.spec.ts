@@ -1,6 +1,6 @@
 import { violations } from './support/axe'
 import { linkTo, sceneOf, verified } from './support/core'
-import { en, expect, test } from './support/lab'
+import { en, expect, test, pick } from './support/lab'
 
 const screens = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } }
 
@@ -27,7 +27,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await expect(page.locator('[data-parameter="w_max"]').getByRole('alert')).toBeVisible()
         expect(await violations(lab)).toEqual([])
 
-        await page.getByTestId('scene').selectOption('ackley')
+        await pick(page, 'scene', 'ackley')
         await expect.poll(() => lab.iteration()).toBeLessThan(40)
         expect(await violations(lab)).toEqual([])
 

@@ -7,7 +7,7 @@ import { LIFT } from '../src/render/space/handles'
 import { middle } from '../src/scene/arm'
 import { violations } from './support/axe'
 import { hashOf, layerOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
-import { en, expect, type Lab, test } from './support/lab'
+import { en, expect, type Lab, test, pick } from './support/lab'
 import { armOf, seenAt, shot } from './support/space'
 
 /** A path around the cuboid is found on the way. */
@@ -364,7 +364,7 @@ test('the picture that is exported is that of the stage', async ({ lab, page }) 
 test('another kind of scene has its own stage, and space comes back as it was', { tag: '@smoke' }, async ({ lab, page }) => {
   await begin(lab)
   const before = await shot(lab)
-  await page.getByTestId('planner').selectOption('pso')
+  await pick(page, 'planner', 'pso')
   await expect(page.getByTestId('space-words')).toHaveCount(0)
   await lab.restarted()
   expect((await lab.picture()).colours).toBeGreaterThan(100)

@@ -7,7 +7,7 @@ import { exactly, number, percent } from '../src/text/number'
 import { violations } from './support/axe'
 import { budget, download, finished, keep, openBatch, seeds } from './support/batch'
 import { iterationsOf, trialOf } from './support/core'
-import { en, expect, test } from './support/lab'
+import { en, expect, test, pick } from './support/lab'
 
 const SCENE = 'wcpso-discs'
 
@@ -145,7 +145,7 @@ test('the outlier is found by sorting and opened on the stage; a dot opens its r
   await expect(page.getByTestId('seed')).toHaveValue(String(worst.seed))
   await lab.restarted()
   expect(await lab.settled(worst.iterations)).toBe(worst.hash)
-  await expect(page.getByTestId('planner')).toHaveValue('pso')
+  await expect(page.getByTestId('planner')).toHaveAttribute('data-value', 'pso')
   await expect(page.getByTestId('notice')).toHaveCount(0)
 
   // Back, all is as it was, and the run that was looked at has the focus.
@@ -218,8 +218,7 @@ test('runs without a feasible result are shown and counted, not left out', async
   await openBatch(lab)
   await keep(page, [])
   await page.getByTestId('compare-scene').selectOption(SCENE)
-  await page.getByTestId('compare-adds').selectOption('rrt')
-  await page.getByTestId('compare-add').click()
+  await pick(page, 'compare-adds', 'rrt')
   await budget(page, 600)
   await seeds(page, 12)
   await page.getByTestId('batch-run').click()
@@ -267,8 +266,7 @@ test('planners with optima of their own are compared by value, and what is deter
   await keep(page, [])
   await page.getByTestId('compare-scene').selectOption(scene)
   for (const planner of ['a-star', 'theta-star']) {
-    await page.getByTestId('compare-adds').selectOption(planner)
-    await page.getByTestId('compare-add').click()
+    await pick(page, 'compare-adds', planner)
   }
   await seeds(page, 3)
   await page.getByTestId('batch-run').click()
@@ -291,8 +289,7 @@ test('planners with optima of their own are compared by value, and what is deter
 
   // Beside one that does draw lots there is still nothing to test; two of them are corrected for their pair only.
   for (const planner of ['aco', 'aco-wolf']) {
-    await page.getByTestId('compare-adds').selectOption(planner)
-    await page.getByTestId('compare-add').click()
+    await pick(page, 'compare-adds', planner)
   }
   // As many evaluations as A* takes: 8 and 14 iterations of so many ants.
   await expect(page.getByTestId('batch-budget')).toHaveValue('400')
@@ -360,8 +357,7 @@ test('each seed has a random map of its own; runs are compared by their gaps, an
   const removes = page.getByTestId('entrant-remove')
   for (let left = await removes.count(); left > 0; left -= 1) await removes.first().click()
   for (const name of ['aco-wolf', 'a-star']) {
-    await page.getByTestId('compare-adds').selectOption(name)
-    await page.getByTestId('compare-add').click()
+    await pick(page, 'compare-adds', name)
   }
   await seeds(page, 4)
   await page.getByTestId('batch-run').click()

@@ -1,14 +1,12 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
-import type { GridScene, RunEvent } from '../../pkg/node.js'
+import { catalogue, type GridScene, type RunEvent } from '../../pkg/node.js'
 import { events as text } from '../src/locales/en/events'
-import { presets } from '../src/locales/en/presets'
-import { sights } from '../src/locales/en/sights-moving'
 import { number } from '../src/text/number'
 import { csv } from '../src/catalogue/events'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, sessionAt } from './support/core'
-import { en, expect, type Lab, test } from './support/lab'
+import { en, expect, type Lab, test, pick } from './support/lab'
 
 /** The published case: of several shortest ways the ants of this seed find the one on which the obstacle comes too near. */
 const PUBLISHED = { planner: 'wolf-ant-drive', scene: 'wolf-ant-20', seed: 23 }
@@ -41,12 +39,15 @@ test('the published case is one choice away; played to its end it arrives, and t
   await lab.open()
   await expect(page.getByTestId('event-rail')).toHaveCount(0)
   await page.getByTestId('speed').selectOption('Infinity')
-  await page.getByTestId('case').selectOption({ label: presets.cases['moving-ants'] })
+  const shown = catalogue()
+    .planners.find(({ name }) => name === 'wolf-ant-drive')
+    ?.cases.find(({ name }) => name === 'map')
+  await pick(page, 'case', 'wolf-ant-drive.map')
   await lab.tab('explain')
-  await expect(page.getByTestId('case-see')).toContainText(sights['moving-ants'])
+  await expect(page.getByTestId('case-see')).toContainText(shown?.help ?? 'nothing')
   await lab.tab('chart')
-  await expect(page.getByTestId('planner')).toHaveValue('wolf-ant-drive')
-  await expect(page.getByTestId('scene')).toHaveValue('wolf-ant-20')
+  await expect(page.getByTestId('planner')).toHaveAttribute('data-value', 'wolf-ant-drive')
+  await expect(page.getByTestId('scene')).toHaveAttribute('data-value', 'wolf-ant-20')
 
   expect(await lab.settled(end)).toBe(hashOf(PUBLISHED, end))
   await expect(lab.root).toHaveAttribute('data-status', 'solved')
@@ -186,7 +187,7 @@ test('of many events some kinds can be left out, and the table has them all', as
   expect(await readFile(await download.path(), 'utf8')).toBe(csv(events))
 
   // Another planner, which tells of nothing.
-  await page.getByTestId('planner').selectOption('a-star')
+  await pick(page, 'planner', 'a-star')
   await expect(page.getByTestId('event-rail')).toHaveCount(0)
   await expect(page.getByTestId('section-events')).toHaveCount(0)
 })

@@ -6,7 +6,7 @@ import { panels } from '../src/locales/en/panels'
 import { number } from '../src/text/number'
 import { middleOf } from '../src/scene/cells'
 import { bends, hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
-import { en, expect, type Lab, test } from './support/lab'
+import { en, expect, type Lab, test, pick } from './support/lab'
 
 const GRID = { planner: 'ltqpso', scene: 'qpso-10m' }
 
@@ -79,7 +79,7 @@ test('the printed path is laid over the stage on request, and not over an edited
 
 test('the case of the printed path drives it: as long as it is printed', async ({ lab, page }) => {
   await lab.open()
-  await page.getByTestId('case').selectOption('moving-printed')
+  await pick(page, 'case', 'a-star-drive.printed')
   await page.getByTestId('to-end').click()
   await expect(page.locator('[data-status=solved]')).toBeVisible()
   await expect(page.getByTestId('result-strip')).toContainText(number(562.842712474619, 6))

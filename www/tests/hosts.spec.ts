@@ -3,7 +3,7 @@ import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import { test as base, expect, type Frame, type FrameLocator, type Page } from '@playwright/test'
 import { linkTo, verified } from './support/core'
-import { en, HASH, Lab } from './support/lab'
+import { en, HASH, Lab, pick } from './support/lab'
 import { SITE } from './support/site'
 
 /* A run on another page, in a file and in the page: each shows what the core computes for the link. */
@@ -230,7 +230,7 @@ test(
     await hashIn(file).toHaveAttribute('data-hash', verified(ARM).hash ?? '')
     await expect(file.getByTestId('space-words')).not.toBeEmpty()
     // It goes on from there, with another part of the core, and can be saved again.
-    await file.getByTestId('planner').selectOption('aco')
+    await pick(file, 'planner', 'aco')
     await hashIn(file).toHaveAttribute('data-stale', 'false')
     await file.getByTestId('play').click()
     await expect.poll(async () => Number(await file.locator('[data-iteration]').first().getAttribute('data-iteration'))).toBeGreaterThan(1)

@@ -4,7 +4,7 @@ import { placed } from '../src/scene/moving'
 import { blamed } from '../src/scene/edits'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
-import { en, expect, type Lab, test } from './support/lab'
+import { en, expect, type Lab, test, pick } from './support/lab'
 
 /** A planner that knows nothing of what moves: that is shown all the same. */
 const PLAN = { planner: 'a-star', scene: 'wolf-ant-20' }
@@ -244,7 +244,7 @@ test('obstacles are drawn with every planner, and put away with the legend', asy
   expect(without.digest).not.toBe(whole.digest)
   await lab.layer('moving', true)
   expect((await lab.wholePicture()).digest).toBe(whole.digest)
-  await page.getByTestId('planner').selectOption('theta-star')
+  await pick(page, 'planner', 'theta-star')
   await lab.seek(AT)
   await expect(page.getByTestId('layer-moving')).toBeChecked()
 })

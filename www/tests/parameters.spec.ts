@@ -3,7 +3,7 @@ import { closer } from '../src/locales/en/closer'
 import { panels } from '../src/locales/en/panels'
 import { number } from '../src/text/number'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
-import { en, expect, test } from './support/lab'
+import { en, expect, test, pick } from './support/lab'
 
 test('a refused parameter says why beside it, keeps what was typed, and the run goes on', { tag: '@smoke' }, async ({ lab }) => {
   await lab.open(linkTo({}, 20))
@@ -51,7 +51,7 @@ test('every parameter of every planner has a control with help, range and defaul
   await lab.settled(1)
   const section = await lab.section('parameters')
   for (const planner of ['wcpso', 'pso', 'wpso', 'cpso', 'ltqpso', 'qpso']) {
-    await page.getByTestId('planner').selectOption(planner)
+    await pick(page, 'planner', planner)
     const { parameters } = sessionAt({ planner }, 0, (session) => ({ parameters: Object.keys(session.parameters) }))
     await expect(section.locator('[data-parameter]')).toHaveCount(parameters.length)
     for (const name of parameters) {
@@ -152,7 +152,7 @@ test('a run that stops early doesn’t claim to have reached its limit; a path t
 test('a preset of a planner is a case: its values, its words, and the equations that hold under it', async ({ lab, page }) => {
   await lab.open(linkTo({}, 3))
   await lab.settled(3)
-  await page.getByTestId('case').selectOption('cpso.fitted')
+  await pick(page, 'case', 'cpso.fitted')
   const preset = catalogue()
     .planners.find(({ name }) => name === 'cpso')
     ?.presets.find(({ name }) => name === 'fitted')

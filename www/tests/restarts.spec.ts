@@ -1,6 +1,6 @@
 import type { UncheckedSetup } from '../../pkg/node.js'
 import { hashOf, linkTo } from './support/core'
-import { en, expect, test } from './support/lab'
+import { en, expect, test, pick } from './support/lab'
 
 declare global {
   interface Window {
@@ -43,7 +43,7 @@ for (const [what, { by, setup }] of Object.entries(CHANGES)) {
     page,
   }) => {
     const parameters = await lab.section('parameters')
-    if (by === 'planner') await page.getByTestId('planner').selectOption('pso')
+    if (by === 'planner') await pick(page, 'planner', 'pso')
     if (by === 'seed') {
       await page.getByTestId('seed').fill('7')
       await page.keyboard.press('Enter')
@@ -59,12 +59,12 @@ for (const [what, { by, setup }] of Object.entries(CHANGES)) {
 }
 
 test('steps and play right after a change hold for the new run', async ({ lab, page }) => {
-  await page.getByTestId('planner').selectOption('pso')
+  await pick(page, 'planner', 'pso')
   for (let step = 0; step < 3; step += 1) await page.getByTestId('step-forward').click()
   await lab.restarted()
   expect(await lab.settled(3)).toBe(hashOf({ ...SETUP, planner: 'pso' }, 3))
 
-  await page.getByTestId('planner').selectOption('wcpso')
+  await pick(page, 'planner', 'wcpso')
   await lab.press(en.transport.play)
   await lab.restarted()
   await expect(lab.root).toHaveAttribute('data-playing', 'true')

@@ -1,15 +1,15 @@
 import { hashOf, linkTo } from './support/core'
 import { panels } from '../src/locales/en/panels'
-import { en, expect, test } from './support/lab'
+import { en, expect, test, pick } from './support/lab'
 
 test('a parameter of one kind of scene waits while another is open, and is back afterwards', async ({ lab, page }) => {
   await lab.open(linkTo({ params: { waypoints: 5, population: 40 } }, 10))
   expect(await lab.settled(10)).toBe(hashOf({ params: { waypoints: 5, population: 40 } }, 10))
-  await page.getByTestId('scene').selectOption('ackley')
+  await pick(page, 'scene', 'ackley')
   expect(await lab.seek(10)).toBe(hashOf({ scene: 'ackley', params: { population: 40 } }, 10))
-  await page.getByTestId('planner').selectOption('pso')
+  await pick(page, 'planner', 'pso')
   expect(await lab.seek(10)).toBe(hashOf({ planner: 'pso', scene: 'ackley', params: { population: 40 } }, 10))
-  await page.getByTestId('scene').selectOption('wcpso-discs')
+  await pick(page, 'scene', 'wcpso-discs')
   expect(await lab.seek(10)).toBe(hashOf({ planner: 'pso', params: { waypoints: 5, population: 40 } }, 10))
 })
 

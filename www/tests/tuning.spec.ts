@@ -1,7 +1,7 @@
 import type { Outcome, Session } from '../../pkg/node.js'
 import { number } from '../src/text/number'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
-import { en, expect, type Lab, test } from './support/lab'
+import { en, expect, type Lab, test, pick } from './support/lab'
 
 /** Small enough for a test: four particles, two runs each. */
 const PARAMS = { population: 4, seeds: 2, iterations: 5, colony_iterations: 15, tune: 'alpha,rho' }
@@ -88,7 +88,7 @@ test('how far a step is can be seen; stopped, it stands where it was and can go 
   await lab.press(en.transport.pause)
   expect(await lab.settled(0)).toBe(before)
   await lab.press(en.transport.play)
-  await page.getByTestId('planner').selectOption('aco')
+  await pick(page, 'planner', 'aco')
   await expect.poll(() => lab.iteration()).toBeGreaterThan(1)
   await expect(progress).toHaveCount(0)
 })
@@ -102,12 +102,12 @@ test('what was tuned is told, and run at once; the tuner comes back with its own
     await expect(card.locator(`[data-tuned="${name}"]`)).toHaveText(number(Number(value)))
   }
   await page.getByTestId('use-tuned').click()
-  await expect(page.getByTestId('planner')).toHaveValue(planner)
+  await expect(page.getByTestId('planner')).toHaveAttribute('data-value', planner)
   const hash = await lab.seek(6)
   expect(hash).toBe(hashOf({ planner, scene: SETUP.scene, seed: 3, params }, 6))
   expect(verified(await lab.link(hash))).toMatchObject({ planner, params, seed: 3 })
 
-  await page.getByTestId('planner').selectOption('pso-tuning')
+  await pick(page, 'planner', 'pso-tuning')
   expect(await lab.seek(5)).toBe(hashOf(SETUP, 5))
 })
 

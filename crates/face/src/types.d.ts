@@ -124,6 +124,22 @@ export type Bounds = {
   max: [number, number]
 }
 
+/** A case: a planner on a shipped scene, with parameters and a seed with which there is something to see. */
+export type Case = {
+  /** Its name among the planner's cases. */
+  name: string
+  /** Its title: a few plain words. */
+  title: string
+  /** What there is to see, in one or two sentences. */
+  help: string
+  /** A shipped scene. */
+  scene: SceneName
+  /** The seed. */
+  seed: number
+  /** The values that differ from the defaults. */
+  params: Record<string, ParameterValue>
+}
+
 /** All that ships: planners, scenes, generators. */
 export type Catalogue = {
   /** The crate's version. */
@@ -453,7 +469,11 @@ export type Imported = {
   problems: Array<Problem>
 }
 
-/** An explanation: what an item did in the step that led to this iteration, and why. */
+/**
+ * An explanation: what an item did in the step that led to this iteration, and why.
+ *
+ * Made by `Inspection::new`; what is not set is empty.
+ */
 export type Inspection = {
   /** The item that is explained. */
   item: Item
@@ -797,8 +817,12 @@ export type Planner = {
   most_stops?: number
   parameters: Array<Parameter>
   presets: Array<Preset>
+  /** Runs that show what it does. */
+  cases: Array<Case>
   readings: Array<Reading>
   formulas: Array<Formula>
+  /** What it does, line by line: `$…$` is TeX, `@name@` a reading or a parameter, two spaces are a level. */
+  pseudocode: Array<string>
   /** The layers that it draws, in drawing order. A frame's table of spans counts them from 0. */
   layers: Array<Layer>
   /** The layers that only its explanations mark. */

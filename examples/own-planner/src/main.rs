@@ -287,23 +287,14 @@ impl Explain for CompassSearch {
         let cost = *self.costs.get(item.index).filter(|_| item.layer == STENCIL)?;
         let here = self.objective.point(&self.at, 0);
         let probe = self.objective.point(&self.probes[item.index], 0);
-        Some(Inspection {
-            item,
-            title: message!("compass-probe", "Probe {i}", i = item.index + 1),
-            event: if cost <= self.cost { "taken" } else { "rejected" },
-            summary: message!(
-                "compass-cost",
-                "Its cost is {cost:.6}; the search stands where the cost is {here:.6}.",
-                cost,
-                here = self.cost
-            ),
-            values: vec![label!("compass-label-cost", "cost", "f(x)", "Cost").is(cost)],
-            formulas: Vec::new(),
-            columns: Vec::new(),
-            labels: Vec::new(),
-            rows: Vec::new(),
-            marks: vec![Mark::plane(STENCIL, Shape::Segments, vec![here, probe])],
-        })
+        let title = message!("compass-probe", "Probe {i}", i = item.index + 1);
+        let event = if cost <= self.cost { "taken" } else { "rejected" };
+        let summary =
+            message!("compass-cost", "Its cost is {cost:.6}; the search stands where the cost is {here:.6}.", cost, here = self.cost);
+        let mut told = Inspection::new(item, title, event, summary);
+        told.values = vec![label!("compass-label-cost", "cost", "f(x)", "Cost").is(cost)];
+        told.marks = vec![Mark::plane(STENCIL, Shape::Segments, vec![here, probe])];
+        Some(told)
     }
 }
 

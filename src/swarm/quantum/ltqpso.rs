@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, layers},
+    describe::{Case, Entry, Formula, layers},
     kernel::Started,
     params::{Choice, Param, Parameters},
     swarm::{
@@ -63,6 +63,27 @@ pub(super) fn adaptation(settings: &Parameters) -> Adaptation {
     Adaptation { evolution: settings[EVOLVE], most_dispersion: settings[MOST_DISPERSION], selection: settings[SELECT] }
 }
 
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "walls",
+    "Ten metres of walls",
+    "Particles leap less and less far. The robot can drive along the result.",
+    "qpso-10m",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ particles begins at a random position; none has a velocity",
+    "repeat until iteration @iterations@, with $\\alpha$ = @alpha@:",
+    "  $m \\leftarrow$ the mean of all personal bests $P$; dispersion $gs$, on average @gs@",
+    "  for each particle, with its evolution speed $ip$ (on average @ip@), in each coordinate:",
+    "    attractor $p = G + \\varphi \\cdot ip \\, (P - G)$",
+    "    $X \\leftarrow p \\pm \\alpha \\cdot gs \\, |m - X| \\ln(1/u)$",
+    "    if $f(X) < f(P)$: $P \\leftarrow X$",
+    "  the better half takes the places of the worse (@selected@ particles)",
+    "  $G \\leftarrow$ the best $P$, with $f(G)$ = @best@",
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "ltqpso",
@@ -95,7 +116,9 @@ pub const ENTRY: Entry = Entry::new(
     layers::AFTER,
     layers::SUPPOSED,
 ])
-.suggest(suggest);
+.suggest(suggest)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
 pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {

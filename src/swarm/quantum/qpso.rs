@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, layers},
+    describe::{Case, Entry, Formula, layers},
     kernel::Started,
     params::Parameters,
     swarm::{
@@ -33,6 +33,26 @@ const LEAP: Formula = Formula::of_item(
     "X_{ij} \\leftarrow \\class{attractors}{p_{ij}} \\pm \\alpha \\, |\\class{mean-best}{m_j} - X_{ij}| \\ln\\frac{1}{u}",
     "X = \\class{attractors}{@attractor@} + (@sign@) \\cdot @alpha@ \\cdot |\\class{mean-best}{@m@} - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
 );
+
+/// Runs that show something.
+const CASES: &[Case] = &[Case::new(
+    "funnel",
+    "Leaps without velocity",
+    "Particles leap about their attractors, less far as α falls. Click one to see its leap.",
+    "ackley-2",
+    &[],
+)];
+/// What it does, with the numbers of the iteration.
+const PSEUDOCODE: &[&str] = &[
+    "each of the @population@ particles begins at a random position; none has a velocity",
+    "repeat until iteration @iterations@, with $\\alpha$ = @alpha@:",
+    "  $m \\leftarrow$ the mean of all personal bests $P$",
+    "  for each particle, in each coordinate:",
+    "    attractor $p$: a random point between its own best $P$ and the swarm’s $G$",
+    "    $X \\leftarrow p \\pm \\alpha \\, |m - X| \\ln(1/u)$",
+    "    if $f(X) < f(P)$: $P \\leftarrow X$",
+    "  $G \\leftarrow$ the best $P$, with $f(G)$ = @best@",
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -64,7 +84,9 @@ pub const ENTRY: Entry = Entry::new(
     layers::AFTER,
     layers::SUPPOSED,
 ])
-.suggest(suggest);
+.suggest(suggest)
+.cases(CASES)
+.pseudocode(PSEUDOCODE);
 
 /// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
 pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {

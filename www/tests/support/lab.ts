@@ -13,6 +13,7 @@ export const HASH = /^[0-9a-f]{16}$/
 /** Where panels are that are not in *Setup*. */
 const TABS: Readonly<Record<string, 'explain' | 'chart'>> = {
   inspect: 'explain',
+  pseudocode: 'explain',
   'inspect-table': 'explain',
   'inspect-values': 'explain',
   formulas: 'explain',
@@ -186,6 +187,12 @@ export interface Picture {
   colours: number
   width: number
   height: number
+}
+
+/** Chooses from one of the lists that can be searched. */
+export async function pick(page: Page, id: string, value: string): Promise<void> {
+  await page.getByTestId(id).click()
+  await page.locator(`.picker-list [data-option="${value}"]`).click()
 }
 
 /** Every test also watches for errors and for requests to anywhere else. */

@@ -1,7 +1,7 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 import type { UncheckedSetup, Status } from '../../../pkg/node.js'
 import { sessionAt } from './core'
-import { HASH, type Lab } from './lab'
+import { HASH, type Lab, pick } from './lab'
 
 /** A racer as it stands. */
 export interface Standing {
@@ -41,8 +41,7 @@ export class Race {
   }
 
   async add(planner: string): Promise<void> {
-    await this.page.getByTestId('compare-adds').selectOption(planner)
-    await this.page.getByTestId('compare-add').click()
+    await pick(this.page, 'compare-adds', planner)
     await expect(this.page.locator(`[data-testid=lane][data-planner=${planner}]`)).toHaveCount(1)
     await this.still()
   }

@@ -27,6 +27,7 @@ export const panels = {
     live: 'With this iteration’s numbers',
     item: 'With its numbers',
     none: 'This planner has no formulas here.',
+    steps: 'What the planner does, with this iteration’s numbers',
   },
   chart: {
     label: 'Convergence chart: choose an iteration',
