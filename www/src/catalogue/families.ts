@@ -16,7 +16,7 @@ export interface Family {
 export const FAMILIES: readonly Family[] = [
   { name: 'swarm', planner: 'wcpso', scene: 'wcpso-discs', params: {}, seed: 1, until: 150, pictures: 40 },
   { name: 'ants', planner: 'aco', scene: 'ant-bat-30', params: {}, seed: 1, until: 40, pictures: 40 },
-  { name: 'bats', planner: 'bat', scene: 'random-52', params: {}, seed: 1, until: 60, pictures: 40 },
+  { name: 'bats', planner: 'bat', scene: 'random-52', params: { local_search: 'none' }, seed: 1, until: 100, pictures: 50 },
   { name: 'tree', planner: 'rrt-star', scene: 'wcpso-discs', params: {}, seed: 1, until: 600, pictures: 40 },
   { name: 'moving', planner: 'wolf-ant-drive', scene: 'wolf-ant-20', params: {}, seed: 23, until: 0, pictures: 60 },
   { name: 'arm', planner: 'rrt-connect', scene: 'arm-cuboid', params: {}, seed: 1, until: 0, pictures: 40 },
