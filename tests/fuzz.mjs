@@ -229,6 +229,14 @@ const functions = {
   },
   armPose: (random) => [random.one(['arm-free', 'arm-puma', 'sphere']), Array.from({ length: 6 }, () => random.unit() * 360 - 180)],
   armSolutions: (random) => ['arm-free', [random.unit(), random.unit(), random.unit()], random.one([null, [0, 0, 1]]), undefined],
+  armSlice: (random) => [
+    random.one(['arm-free', 'arm-puma', 'sphere']),
+    Array.from({ length: 6 }, () => random.unit() * 360 - 180),
+    [random.below(7), random.below(7)],
+    [-90, random.one([-90, NaN])],
+    [90, 90],
+    random.unit() - 0.1,
+  ],
   reachability: (random) => ['arm-free', random.one([0.5, 0.9, 5])],
   compare: (random) => [
     [1, 2, 3].map((k) => ({ name: `${k}`, values: Array.from({ length: random.below(5) }, () => random.one([random.unit(), null, 1])) })),

@@ -7,6 +7,7 @@ import { test } from 'node:test'
 import { deflateRawSync } from 'node:zlib'
 import {
   armPose,
+  armSlice,
   armSolutions,
   catalogue,
   checkParameter,
@@ -577,6 +578,14 @@ test('an arm tells its poses and solutions and where it can come', () => {
 
   assert.equal(reachability(scene, 0.25).points.length, 4 * 7 * 6 * 3)
 
+  // A slice through the first two joints: what is touched, and what is free.
+  const home = [0, -90, 0, 0, 0, 0]
+  const cells = armSlice(scene, home, [0, 1], [-170, -92], [170, 135], 0)
+  assert.equal(cells.length, 64 * 64)
+  const touched = cells.reduce((sum, cell) => sum + cell, 0)
+  assert.ok(touched > 400 && touched < 3000, `${touched}`)
+  assert.ok(armSlice(scene, home, [0, 1], [-170, -92], [170, 135], 0.05).reduce((sum, cell) => sum + cell, 0) > touched)
+
   const field = (call) => refusal(call).field
   assert.equal(
     field(() => reachability(scene, 0.001)),
@@ -590,6 +599,17 @@ test('an arm tells its poses and solutions and where it can come', () => {
     field(() => armPose('wcpso-discs', [0, 0, 0, 0, 0, 0])),
     'kind',
   )
+  for (const [pair, min, radius, name] of [
+    [[2, 2], [0, 0], 0, 'pair'],
+    [[0, 6], [0, 0], 0, 'pair'],
+    [[0.5, 1], [0, 0], 0, 'pair'],
+    [[0, 1], [0, NaN], 0, 'min[1]'],
+    [[0, 1], [0, 0], -1, 'radius'],
+  ])
+    assert.equal(
+      field(() => armSlice(scene, home, pair, min, [90, 90], radius)),
+      name,
+    )
   for (const [point, direction, joints, name] of [
     [[0, 0], null, null, 'point'],
     [[0, 0, 'a'], null, null, 'point[2]'],

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs'
 import {
+  armSlice,
   armSolutions,
   type ArmScene,
   catalogue,
@@ -14,10 +15,12 @@ import { arm as words } from '../src/locales/en/arm'
 import { closer } from '../src/locales/en/closer'
 import { number, percent } from '../src/text/number'
 import { degrees } from '../src/text/degrees'
+import { RIM } from '../src/render/plot/joint-space'
 import { Swing } from '../src/scene/trajectory'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test, pick } from './support/lab'
+import { shot } from './support/space'
 
 const GUIDED = { planner: 'rrt-guided', scene: 'arm-cuboid', seed: 1 }
 const JOINTS = { planner: 'rrt-joint', scene: 'arm-cuboid', seed: 1 }
@@ -364,6 +367,48 @@ test('rrt-joint: the tree in joint space has the core’s nodes; a node chosen t
   await expect(page.getByTestId('inspect').locator('h2')).toHaveText(above?.title ?? '')
   await page.keyboard.press('Escape')
   await expect(page.getByTestId('inspect').locator('h2')).toHaveCount(0)
+
+  // Where the arm would touch something is shaded: the pixels of the plot say what the core does.
+  await expect(space.locator('[data-touching]')).toHaveAttribute('data-touching', 'true')
+  const scene = sceneOf(JOINTS)
+  if (scene.kind !== 'arm') throw new Error(scene.kind)
+  const [a, b] = scene.arm.joints
+  const root = columns.flatMap((name, at) => (/^q[1-6]$/.test(name) ? [rows[at] ?? NaN] : []))
+  const cells = armSlice(scene, root, [0, 1], [a?.min ?? 0, b?.min ?? 0], [a?.max ?? 0, b?.max ?? 0], 0)
+  const share = cells.reduce((sum, cell) => sum + cell, 0) / cells.length
+  const shaded = await view.evaluate((canvas: HTMLCanvasElement) => {
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true })
+    if (!copy) return NaN
+    copy.drawImage(canvas, 0, 0)
+    const wall = getComputedStyle(canvas).getPropertyValue('--wall').trim()
+    copy.fillStyle = wall
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height)
+    copy.fillRect(0, 0, 1, 1)
+    const [red, green, blue] = copy.getImageData(0, 0, 1, 1).data
+    let same = 0
+    for (let at = 0; at < data.length; at += 4) if (data[at] === red && data[at + 1] === green && data[at + 2] === blue) same += 1
+    return same / (data.length / 4)
+  })
+  // The plot has a rim for its labels.
+  expect(shaded).toBeGreaterThan(0.7 * share)
+  expect(shaded).toBeLessThan(share)
+
+  // A node that is pointed at here is where the arm stands there.
+  await shot(lab)
+  const stage = async (): Promise<string> => (await lab.stage.screenshot()).toString('base64')
+  const resting = await stage()
+  const box = await view.boundingBox()
+  const [x = 0, y = 0] = [root[0], root[1]].map((angle = 0, axis) => {
+    const { min, max } = (axis === 0 ? a : b) ?? { min: 0, max: 1 }
+    return (angle - min) / (max - min)
+  })
+  await page.mouse.move(
+    (box?.x ?? 0) + RIM.left + x * ((box?.width ?? 0) - RIM.left - RIM.right),
+    (box?.y ?? 0) + (box?.height ?? 0) - RIM.bottom - y * ((box?.height ?? 0) - RIM.top - RIM.bottom),
+  )
+  await expect.poll(stage).not.toBe(resting)
+  await page.mouse.move(0, 0)
+  await expect.poll(stage).toBe(resting)
 
   // Another pair of joints is another picture.
   const picture = (): Promise<string> => view.evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())

@@ -203,6 +203,7 @@ test('a race has an address: its scene, seed, lanes and time; it can be copied, 
 
 test('open claims of a paper have an address', async ({ lab, page }) => {
   await lab.open('#view=papers')
+  await expect(page.locator('details[id^="claim-"]').nth(4)).toBeVisible()
   const [first, second] = (await page.locator('details[id^="claim-"]').evaluateAll((all) => all.map(({ id }) => id))).slice(2)
   await page.locator(`#${first} > summary`).click()
   await page.locator(`#${second} > summary`).click()

@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises'
 import { exportScene, generateScene, type GridScene, importScene, type NamedFile, type Scene } from '../../pkg/node.js'
+import { setup } from '../src/locales/en/setup'
 import { hashOf, linkTo, sceneOf, verified } from './support/core'
 import { en, expect, Lab, test } from './support/lab'
 
@@ -104,7 +105,7 @@ test('what a random map can’t be is said beside the control, and the last map 
 
   await page.getByTestId('map-seed').fill('none')
   await page.getByTestId('map-seed').press('Tab')
-  await expect(page.getByRole('alert').filter({ hasText: en.setup.seedHint })).toBeVisible()
+  await expect(page.getByRole('alert').filter({ hasText: setup.seedHint })).toBeVisible()
   await page.getByTestId('map-new-seed').click()
   await expect(page.getByTestId('map-seed')).not.toHaveValue('none')
   await expect(page.getByTestId('make')).toBeEnabled()

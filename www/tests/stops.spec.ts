@@ -270,10 +270,11 @@ test('planners and scenes that suit each other are brought together', async ({ l
   const expected = catalogue()
     .scenes.filter((candidate) => suits(bat, candidate))
     .map(({ name }) => name)
+  await page.getByTestId('scene').click()
   const listed = await page
-    .getByTestId('scene')
-    .locator('option')
-    .evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value))
+    .locator('.picker-list [data-option]')
+    .evaluateAll((options) => options.map((option) => option.getAttribute('data-option') ?? ''))
+  await page.keyboard.press('Escape')
   expect(listed.toSorted()).toEqual(expected.toSorted())
 
   await lab.press(en.bar.undo)

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use js_sys::Float32Array;
+use js_sys::{Float32Array, Uint8Array};
 use nalgebra::{Unit, Vector3};
 use wasm_bindgen::prelude::*;
 
@@ -13,8 +13,8 @@ use forage::{
 };
 
 use crate::{
-    JsArmPose, JsArmSolutions, JsJoints, JsJointsOrUndefined, JsNumber, JsPoint3, JsPoint3OrNull, JsReachability, JsSceneOrName, js_error,
-    object, plain,
+    JsArmPose, JsArmSolutions, JsJoints, JsJointsOrUndefined, JsNumber, JsPoint, JsPoint3, JsPoint3OrNull, JsReachability, JsSceneOrName,
+    js_error, object, plain,
     read::{read_list, read_number, read_scene, refused},
     tool::Tool,
 };
@@ -23,13 +23,14 @@ struct Arms {
     pose: fn(&JsValue, &JsValue) -> Result<JsArmPose, JsValue>,
     solutions: fn(&JsValue, &JsValue, &JsValue, &JsValue) -> Result<JsArmSolutions, JsValue>,
     reachability: fn(&JsValue, &JsValue) -> Result<JsReachability, JsValue>,
+    slice: fn(&JsValue, &JsValue, &JsValue, &JsValue, &JsValue, &JsValue) -> Result<Uint8Array, JsValue>,
 }
 
 static ARMS: Tool<Arms> = Tool::new("arm");
 
 /// Offers what an arm can do by itself.
 pub fn offer_arm() {
-    ARMS.offer(&Arms { pose, solutions, reachability: cloud });
+    ARMS.offer(&Arms { pose, solutions, reachability: cloud, slice });
 }
 
 /// An arm's scene, or a refusal of its `kind`.
@@ -44,25 +45,31 @@ fn arm_of(scene: &Scene) -> Result<&ArmScene, JsValue> {
 }
 
 /// A list of so many finite numbers.
-fn read_numbers<const N: usize>(field: &str, value: &JsValue, allowed: Message) -> Result<[f64; N], JsValue> {
-    let list: [JsValue; N] = read_list(field, value)?.try_into().map_err(|_| refused(field, value, allowed))?;
-    let mut numbers = [0.0; N];
-    for (i, (number, value)) in numbers.iter_mut().zip(&list).enumerate() {
-        let at = format!("{field}[{i}]");
-        *number = read_number(&at, value)?;
-        if !number.is_finite() {
-            return Err(js_error(Error::refused(at, *number, forage::kernel::error::finite())));
-        }
+fn read_numbers<const N: usize>(field: &str, value: &JsValue, allowed: fn() -> Message) -> Result<[f64; N], JsValue> {
+    // One copy for all lengths.
+    let list = read_finite(field, value, N, allowed)?;
+    Ok(std::array::from_fn(|i| list[i]))
+}
+
+fn read_finite(field: &str, value: &JsValue, count: usize, allowed: fn() -> Message) -> Result<Vec<f64>, JsValue> {
+    let list = read_list(field, value)?;
+    if list.len() != count {
+        return Err(refused(field, value, allowed()));
     }
-    Ok(numbers)
+    let finite = |(i, value): (usize, &JsValue)| {
+        let at = format!("{field}[{i}]");
+        let number = read_number(&at, value)?;
+        if number.is_finite() { Ok(number) } else { Err(js_error(Error::refused(at, number, forage::kernel::error::finite()))) }
+    };
+    list.iter().enumerate().map(finite).collect()
 }
 
 fn read_posture(field: &str, value: &JsValue) -> Result<Posture, JsValue> {
-    Ok(radians(&read_numbers(field, value, allowed::six_joints())?))
+    Ok(radians(&read_numbers(field, value, allowed::six_joints)?))
 }
 
 fn read_in_space(field: &str, value: &JsValue) -> Result<[f64; 3], JsValue> {
-    read_numbers(field, value, allowed::point_in_space())
+    read_numbers(field, value, allowed::point_in_space)
 }
 
 fn read_direction(value: &JsValue) -> Result<Unit<Vector3<f64>>, JsValue> {
@@ -128,4 +135,33 @@ fn cloud(scene: &JsValue, step: &JsValue) -> Result<JsReachability, JsValue> {
     let step = read_number("step", step)?;
     let cloud = arm::reachability(arm_of(&scene)?, step).map_err(js_error)?;
     Ok(object(&[("points", Float32Array::from(&cloud.points[..]).into()), ("step", cloud.step.into())]))
+}
+
+/// Where a scene's arm touches something while two of its joints turn and the others stay as in `joints`: 64 rows of 64 cells, 1
+/// where it does in the middle of a cell. `pair` are the two joints, from 0; `min` and `max` their angles at the borders: the first
+/// joint's change within a row, the second's from row to row. Angles are in degrees, the links' radius is in metres.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed`.
+#[wasm_bindgen(js_name = armSlice)]
+pub fn arm_slice(
+    scene: &JsSceneOrName,
+    joints: &JsJoints,
+    pair: &JsPoint,
+    min: &JsPoint,
+    max: &JsPoint,
+    radius: &JsNumber,
+) -> Result<Uint8Array, JsValue> {
+    (ARMS.get()?.slice)(scene, joints, pair, min, max, radius)
+}
+
+fn slice(scene: &JsValue, joints: &JsValue, pair: &JsValue, min: &JsValue, max: &JsValue, radius: &JsValue) -> Result<Uint8Array, JsValue> {
+    let scene = read_arm(scene)?;
+    let posture = read_posture("joints", joints)?;
+    let pair = read_numbers("pair", pair, allowed::point)?
+        .map(|joint| if joint >= 0.0 && joint.fract() == 0.0 { joint as usize } else { usize::MAX });
+    let [min, max] = [("min", min), ("max", max)].map(|(field, value)| read_numbers::<2>(field, value, allowed::point));
+    let [min, max] = [min?, max?].map(|angles| angles.map(f64::to_radians));
+    let cells = arm::slice(arm_of(&scene)?, &posture, pair, min, max, read_number("radius", radius)?).map_err(js_error)?;
+    Ok(Uint8Array::from(&cells[..]))
 }

@@ -1,4 +1,4 @@
-import type { ArmScene, ArmSolutions, Motion, Point3, Reachability } from 'forage-lab'
+import type { ArmScene, ArmSolutions, Motion, Point, Point3, Reachability } from 'forage-lab'
 import type { Answer } from '../engine/protocol'
 import { pool } from '../engine/pool'
 import type { Clock } from './clock.svelte'
@@ -21,6 +21,17 @@ export interface Direction {
   elevation: number
 }
 
+/** Two joints, the angles between which they turn, and a posture that the others keep; all in degrees. */
+export interface Slice {
+  scene: ArmScene
+  posture: number[]
+  pair: Point
+  min: Point
+  max: Point
+  /** Of the links, in metres. */
+  radius: number
+}
+
 /** A survey, and the scene that it is of. */
 interface Survey {
   scene: ArmScene
@@ -31,6 +42,8 @@ interface Survey {
 export class ArmStore {
   readonly following: Following<Motion, Swing>
   node = $state<number | null>(null)
+  /** The posture of the node that is pointed at, in degrees, where nodes are postures. */
+  pointed = $state.raw<readonly number[] | null>(null)
 
   aim = $state<Aim>('goal')
   /** Null: whatever is nearest to the arm's posture. */
@@ -118,6 +131,14 @@ export class ArmStore {
     if (answer instanceof Error) this.unsurveyed = answer.message
     else if (answer.ok) this.survey = { scene, reach: answer.value }
     else this.unsurveyed = answer.refusal.message
+  }
+
+  /** Finds out where the arm touches something; null where that was called off, or can't be known. */
+  cut = async ({ scene, posture, pair, min, max, radius }: Slice, signal: AbortSignal): Promise<Uint8Array | null> => {
+    const answer = await pool()
+      .run<Answer<Uint8Array>>((api) => api.slice(scene, posture, pair, min, max, radius), { signal })
+      .catch(() => null)
+    return !signal.aborted && answer?.ok ? answer.value : null
   }
 
   /** Takes the cloud away, or calls off what is on its way. */

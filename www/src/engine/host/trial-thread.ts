@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink'
-import { bands, carryOut, compare, generateScene, load, reachability, reached, ready, serveBy, suggest, Trial } from 'forage-lab'
+import { armSlice, bands, carryOut, compare, generateScene, load, reachability, reached, ready, serveBy, suggest, Trial } from 'forage-lab'
 import type { Finding, GeneratorName, Reachability, Scene, Setup, UncheckedSetup } from 'forage-lab'
 import type { Files } from '../host'
 import { from } from './files'
@@ -51,6 +51,14 @@ async function stepToEnd(trial: Trial, budget: number | null): Promise<boolean> 
   }
 }
 
+async function answered<T>(ask: () => T): Promise<Answer<T>> {
+  try {
+    return { ok: true, value: await ready(ask) }
+  } catch (error) {
+    return { ok: false, refusal: refusedBy(error) }
+  }
+}
+
 const api = {
   /** Where a thread cannot find the package's files, it is given them before anything else. */
   open(files: Files): void {
@@ -61,13 +69,10 @@ const api = {
   carryOut: (subtask: Parameters<typeof carryOut>[0]): Promise<Finding> => ready(() => carryOut(subtask)),
 
   /** Where the tip of an arm can come, on a lattice of this step. */
-  async reach(scene: Scene, step: number): Promise<Answer<Reachability>> {
-    try {
-      return { ok: true, value: await ready(() => reachability(scene, step)) }
-    } catch (error) {
-      return { ok: false, refusal: refusedBy(error) }
-    }
-  },
+  reach: (scene: Scene, step: number): Promise<Answer<Reachability>> => answered(() => reachability(scene, step)),
+
+  /** Where an arm touches something while two of its joints turn. */
+  slice: (...given: Parameters<typeof armSlice>): Promise<Answer<Uint8Array>> => answered(() => armSlice(...given)),
 
   /** Carries out a run to its end, or until `stop`. */
   async run({ setup, maps, seed, budget }: Errand): Promise<Ending> {

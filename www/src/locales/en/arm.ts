@@ -86,7 +86,7 @@ export const arm = {
     every: 'all',
   },
   joints: {
-    help: 'The same tree in pairs of joints. Obstacles have no simple form here: only the tree and the path are shown.',
+    help: 'The same tree in pairs of joints. Shaded: there the arm would touch something, the other joints as at one node.',
     across: 'Across',
     up: 'Up',
     pairs: 'Pairs of joints',
@@ -101,7 +101,13 @@ export const arm = {
     hint: 'Point at a node, or click it to look closer: it is the same on the stage.',
     nodes: (count: string) => `${count} nodes`,
     none: 'The tree appears with the first iteration.',
-    legend: { tree: 'from the start', goal: 'from the goal', path: 'path', node: 'selected' },
+    legend: {
+      obstacle: (node: string) => `touches something, other joints as at node ${node}`,
+      tree: 'from the start',
+      goal: 'from the goal',
+      path: 'path',
+      node: 'selected',
+    },
   },
   scene: {
     ends: 'Start and goal',

@@ -22,6 +22,7 @@ export interface Plot {
 }
 
 export interface Colours {
+  obstacle: string
   ink: string
   line: string
   tree: string
@@ -32,6 +33,8 @@ export interface Colours {
 }
 
 export interface Marks {
+  /** 1 where the arm touches something: rows of cells from the least angles on, as many as there are cells in a row. */
+  touching: Uint8Array | null
   path: readonly (readonly number[])[]
   selected: number | null
   pointed: number | null
@@ -103,6 +106,7 @@ export function nearest(at: Float64Array, x: number, y: number, reach: number): 
 export function draw(context: CanvasRenderingContext2D, plot: Plot, nodes: Nodes, at: Float64Array, colours: Colours, marks: Marks): void {
   context.fillStyle = colours.stage
   context.fillRect(0, 0, plot.width, plot.height)
+  if (marks.touching) drawTouching(context, plot, colours, marks.touching)
   drawFrame(context, plot, colours)
   const parent = nodes.columns.indexOf('parent')
   const tree = nodes.columns.indexOf('tree')
@@ -134,6 +138,22 @@ export function draw(context: CanvasRenderingContext2D, plot: Plot, nodes: Nodes
     [marks.selected, 7],
   ] as const)
     if (node !== null) ring(context, at, node, radius, colours)
+}
+
+/** Stretches of a row are one rectangle. */
+function drawTouching(context: CanvasRenderingContext2D, { width, height }: Plot, { obstacle }: Colours, cells: Uint8Array): void {
+  const side = Math.round(Math.sqrt(cells.length))
+  const [wide, high] = [(width - RIM.left - RIM.right) / side, (height - RIM.top - RIM.bottom) / side]
+  const areas = new Path2D()
+  for (let row = 0; row < side; row += 1) {
+    for (let from = 0, to = 0; from < side; from = to + 1) {
+      to = from
+      while (to < side && cells[row * side + to] === 1) to += 1
+      if (to > from) areas.rect(RIM.left + from * wide, height - RIM.bottom - (row + 1) * high, (to - from) * wide, high + 0.5)
+    }
+  }
+  context.fillStyle = obstacle
+  context.fill(areas)
 }
 
 const whole = (angle: number): string => `${Math.round(angle)}°`.replace('-', '−')
