@@ -179,7 +179,7 @@ test('the batch takes the planner as it is set up on the stage, and its edited s
   await lab.restarted()
   await page.getByTestId('view-compare').click()
   await page.getByRole('radio', { name: plan.as.titles.statistics, exact: true }).check({ force: true })
-  await expect(page.getByTestId('compare-scene')).toHaveValue(':stage')
+  await expect(page.getByTestId('compare-scene')).toHaveAttribute('data-value', ':stage')
   await keep(page, ['cpso'])
   await seeds(page, 2)
   await page.getByTestId('batch-run').click()
@@ -207,17 +207,17 @@ test('what is refused is told beside its field, and nothing that was typed is lo
   await expect(page.getByText(message)).toHaveCount(0)
 
   // Planners that don't run on another scene wait for their return.
-  await page.getByTestId('compare-scene').selectOption('open-12')
+  await pick(page, 'compare-scene', 'open-12')
   await expect(page.getByTestId('entrant').filter({ hasText: /left out/ })).toHaveCount(4)
   await expect(page.getByTestId('compare-notice')).toHaveText(plan.joined('12 stops, there and not back'))
-  await page.getByTestId('compare-scene').selectOption(SCENE)
+  await pick(page, 'compare-scene', SCENE)
   await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-total', '8')
 })
 
 test('runs without a feasible result are shown and counted, not left out', async ({ lab, page }) => {
   await openBatch(lab)
   await keep(page, [])
-  await page.getByTestId('compare-scene').selectOption(SCENE)
+  await pick(page, 'compare-scene', SCENE)
   await pick(page, 'compare-adds', 'rrt')
   await budget(page, 600)
   await seeds(page, 12)
@@ -264,7 +264,7 @@ test('planners with optima of their own are compared by value, and what is deter
 
   await openBatch(lab)
   await keep(page, [])
-  await page.getByTestId('compare-scene').selectOption(scene)
+  await pick(page, 'compare-scene', scene)
   for (const planner of ['a-star', 'theta-star']) {
     await pick(page, 'compare-adds', planner)
   }
@@ -352,7 +352,7 @@ test('long runs of a plan that was left make room for those of the new one', asy
 
 test('each seed has a random map of its own; runs are compared by their gaps, and open on their map', async ({ lab, page }) => {
   await openBatch(lab)
-  await page.getByTestId('compare-scene').selectOption(':maps rooms')
+  await pick(page, 'compare-scene', ':maps rooms')
   await expect(page.getByText(plan.plan.mapsHelp)).toBeVisible()
   const removes = page.getByTestId('entrant-remove')
   for (let left = await removes.count(); left > 0; left -= 1) await removes.first().click()

@@ -171,7 +171,7 @@ for (const scheme of ['light', 'dark'] as const) {
     [1440, 900],
     [390, 844],
   ] as const) {
-    test(`axe finds nothing wrong in Learn and in the tabs, ${scheme}, ${width} px`, async ({ lab, page }) => {
+    test(`axe finds nothing wrong in any room, in the tabs and in a list that is open, ${scheme}, ${width} px`, async ({ lab, page }) => {
       await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' })
       await page.setViewportSize({ width, height })
       await lab.open('')
@@ -182,6 +182,19 @@ for (const scheme of ['light', 'dark'] as const) {
         await lab.tab(tab)
         expect(await violations(lab), tab).toEqual([])
       }
+      // In a wide window it is above the stage, otherwise on the last tab.
+      await page.getByTestId('planner').click()
+      await page.keyboard.type('ants')
+      await expect(page.locator('.picker-list [data-option="aco"]')).toBeVisible()
+      expect(await violations(lab), 'list').toEqual([])
+      await page.keyboard.press('Escape')
+      await lab.open('#view=papers')
+      await expect(page.locator('details[id^="claim-"]').nth(4)).toBeVisible()
+      await page.locator('details[id^="claim-"] > summary').first().click()
+      expect(await violations(lab), 'papers').toEqual([])
+      await lab.open('#view=compare')
+      await expect(page.getByTestId('compare-scene')).toBeVisible()
+      expect(await violations(lab), 'compare').toEqual([])
     })
   }
 }

@@ -14,6 +14,7 @@ export const compare = {
       'Seed 7 has the generator’s scene 7: what a planner is worth beyond one scene. Lengths are compared by their gaps to the exact optimum.',
     mapSettings: 'Parameters of the scenes',
     mapsOf: (title: string) => `${title}: one for each seed`,
+    ownScenes: 'Made here',
     fromStage: (title: string) => `${title} (from the Lab)`,
     task: 'Task',
     tasks: { path: 'Path', tour: 'Tour', tuning: 'Tuning' },
