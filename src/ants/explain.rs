@@ -218,15 +218,15 @@ pub(super) fn other_ant(colony: &Colony, item: Item, others: &Stream) -> Option<
     next.iteration += 1;
     next.walks.clear();
     next.send();
-    (item.index < colony.ants).then(|| walked(&next, item, next.walks.ants.first()?)).flatten()
+    next.walks.ants.first().filter(|_| item.index < colony.ants).map(|ant| walked(&next, item, ant))
 }
 
 /// How far an ant of this iteration came and what it laid.
 pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
-    walked(colony, item, colony.walks.ants.get(item.index)?)
+    colony.walks.ants.get(item.index).map(|ant| walked(colony, item, ant))
 }
 
-fn walked(colony: &Colony, item: Item, ant: &Ant) -> Option<Inspection> {
+fn walked(colony: &Colony, item: Item, ant: &Ant) -> Inspection {
     let ground = &*colony.ground;
     let path: Vec<_> = ground.way(colony.walks.of(ant)).map(|cell| ground.cells.centre(cell)).collect();
     let (i, n) = (item.index, colony.walks.of(ant).len());
@@ -280,11 +280,11 @@ fn walked(colony: &Colony, item: Item, ant: &Ant) -> Option<Inspection> {
             Update::Own(_) => None,
         });
     }
-    Some(Inspection {
+    Inspection {
         values,
         formulas,
         marks: vec![Mark::plane(layers::AFTER.key, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)],
         suppositions: vec![label!("ants-other-random-numbers", "random", "r", "with other random numbers")],
         ..Inspection::new(item, message!("ants-ant", "Ant {i}", i), event, summary)
-    })
+    }
 }
