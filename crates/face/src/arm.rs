@@ -19,11 +19,14 @@ use crate::{
     tool::Tool,
 };
 
+/// Scene, posture, pair of joints, their least and greatest angles, the links' radius.
+type Slice = fn(&JsValue, &JsValue, &JsValue, &JsValue, &JsValue, &JsValue) -> Result<Uint8Array, JsValue>;
+
 struct Arms {
     pose: fn(&JsValue, &JsValue) -> Result<JsArmPose, JsValue>,
     solutions: fn(&JsValue, &JsValue, &JsValue, &JsValue) -> Result<JsArmSolutions, JsValue>,
     reachability: fn(&JsValue, &JsValue) -> Result<JsReachability, JsValue>,
-    slice: fn(&JsValue, &JsValue, &JsValue, &JsValue, &JsValue, &JsValue) -> Result<Uint8Array, JsValue>,
+    slice: Slice,
 }
 
 static ARMS: Tool<Arms> = Tool::new("arm");
