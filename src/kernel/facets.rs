@@ -63,7 +63,7 @@ pub trait Explain {
         None
     }
     /// Explains what the next step would do to an item with one thing otherwise: one of the `suppositions` of its explanation.
-    /// Takes that step on a copy; `others` are the other random numbers, where those are supposed. Its `after`, `velocity` and
+    /// Takes that step on a copy; `others` are the other random numbers, where those are supposed (by the name `random`). Its `after`, `velocity` and
     /// `jump` marks are shown.
     fn suppose(&self, _item: Item, _supposition: &str, _others: &Stream) -> Option<Inspection> {
         None

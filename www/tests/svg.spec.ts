@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises'
 import type { UncheckedSetup } from 'forage-lab'
+import { catalogue } from '../../pkg/node.js'
 import sharp from 'sharp'
 import { linkTo } from './support/core'
 import { decoded, difference } from './support/pixels'
@@ -58,4 +59,34 @@ test('the drawing of an arm is a parallel projection from where it is seen', asy
   await page.getByTestId('view-top').click()
   await lab.picture()
   expect(await drawing(lab)).not.toBe(corner)
+})
+
+test('a figure has its caption, its legend and the run’s link, and as many pixels as asked for', async ({ lab, page }) => {
+  const setup: UncheckedSetup = { planner: 'ltqpso', scene: 'qpso-10m', seed: 4 }
+  await lab.open(linkTo(setup, 12))
+  await lab.settled(12)
+  const svg = await drawing(lab)
+  const words = [...svg.matchAll(/<text[^>]*>([^<]*)<\/text>/g)].map(([, text = '']) => text.replaceAll('&amp;', '&')).join('\n')
+  const { planners } = catalogue()
+  expect(words).toContain(planners.find(({ name }) => name === 'ltqpso')?.title)
+  for (const { title, on } of planners.find(({ name }) => name === 'ltqpso')?.layers ?? [])
+    if (on && title !== 'Smoothed') expect(words).toContain(title)
+  expect(words.replaceAll('\n', '')).toContain(linkTo(setup, 12))
+  expect(words).toContain('seed 4')
+
+  const box = await lab.stage.boundingBox()
+  await lab.press(en.bar.exports)
+  const picture = async (): Promise<{ width: number; height: number }> => {
+    const started = page.waitForEvent('download')
+    await page.getByTestId('export-png').click()
+    return sharp(await (await started).path()).metadata()
+  }
+  await page.getByRole('radio', { name: '2×' }).check({ force: true })
+  const captioned = await picture()
+  expect(Math.abs(captioned.width - 2 * (box?.width ?? 0))).toBeLessThanOrEqual(2)
+  expect(captioned.height).toBeGreaterThan(2 * (box?.height ?? 0) + 60)
+  await page.getByTestId('export-caption').uncheck()
+  const bare = await picture()
+  expect(bare.width).toBe(captioned.width)
+  expect(Math.abs(bare.height - 2 * (box?.height ?? 0))).toBeLessThanOrEqual(2)
 })

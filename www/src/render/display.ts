@@ -86,6 +86,15 @@ export interface Ground {
   box: Box
 }
 
+/** What stands below a picture in a file. */
+export interface Footer {
+  /** What it shows, line by line; the first one is the title. */
+  caption: readonly string[]
+  legend: readonly { title: string; look: Look; line: boolean }[]
+  /** The address of the run. */
+  link: string
+}
+
 /** Draws one canvas. What was given last counts. */
 export interface Renderer {
   show(display: Display): void
@@ -93,9 +102,9 @@ export interface Renderer {
   frame(frame: Frame, names: Names): void
   ground(ground: Ground | null): void
   /** What is seen, as SVG with this title. */
-  svg(caption: string): Promise<string>
+  svg(caption: string, footer?: Footer): Promise<string>
   /** What is seen, as PNG with so many pixels a pixel of the page. */
-  picture(density: number): Promise<Blob>
+  picture(density: number, footer?: Footer): Promise<Blob>
   /** The nearest of these layers' points that are shown in space and seen within this reach, in pixels; its index is that in the frame. */
   nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null>
   dispose(): void

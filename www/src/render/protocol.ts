@@ -1,6 +1,6 @@
 /* What the page and the thread that draws say to each other. Each message is about one canvas. */
 import type { Item, Point } from 'forage-lab'
-import type { Display, Ground, SpaceState } from './display'
+import type { Display, Footer, Ground, SpaceState } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 
@@ -20,8 +20,8 @@ export type ToRenderer = { canvas: number } & (
 
 /** A picture as a file, or a point of it. */
 export type Asked =
-  | { for: 'svg'; caption: string }
-  | { for: 'picture'; density: number }
+  | { for: 'svg'; caption: string; footer?: Footer | undefined }
+  | { for: 'picture'; density: number; footer?: Footer | undefined }
   | { for: 'nearest'; at: Point; reach: number; layers: readonly string[] }
 
 export type FromRenderer = { canvas: number } & (

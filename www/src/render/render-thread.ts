@@ -30,8 +30,8 @@ function open(canvas: number, element: OffscreenCanvas): void {
 }
 
 const found = (renderer: CanvasRenderer, asked: Asked): Promise<Extract<Answer, { is: 'answer' }>['value']> => {
-  if (asked.for === 'svg') return renderer.svg(asked.caption)
-  return asked.for === 'picture' ? renderer.picture(asked.density) : renderer.nearest(asked.at, asked.reach, asked.layers)
+  if (asked.for === 'svg') return renderer.svg(asked.caption, asked.footer)
+  return asked.for === 'picture' ? renderer.picture(asked.density, asked.footer) : renderer.nearest(asked.at, asked.reach, asked.layers)
 }
 
 async function answer(canvas: number, renderer: CanvasRenderer, asked: Asked & { id: number }): Promise<void> {

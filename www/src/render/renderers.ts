@@ -1,5 +1,5 @@
 import type { Item, Point } from 'forage-lab'
-import type { Display, Ground, Renderer, RendererListeners } from './display'
+import type { Display, Footer, Ground, Renderer, RendererListeners } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 import type { Answer, Asked, FromRenderer, ToRenderer } from './protocol'
@@ -33,12 +33,12 @@ class RemoteRenderer implements Renderer {
     this.send({ is: 'ground', ground }, ground ? [ground.bitmap] : [])
   }
 
-  svg(caption: string): Promise<string> {
-    return this.ask({ for: 'svg', caption })
+  svg(caption: string, footer?: Footer): Promise<string> {
+    return this.ask({ for: 'svg', caption, footer })
   }
 
-  picture(density: number): Promise<Blob> {
-    return this.ask({ for: 'picture', density })
+  picture(density: number, footer?: Footer): Promise<Blob> {
+    return this.ask({ for: 'picture', density, footer })
   }
 
   nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null> {

@@ -1,5 +1,5 @@
 import { perLab } from '../../stores/context.svelte'
-import type { Renderer } from '../../render/display'
+import type { Footer, Renderer } from '../../render/display'
 import type { Lab } from '../../stores/lab.svelte'
 
 /** The canvases of a stage, lowest first, for those who want to save what they show. */
@@ -8,20 +8,23 @@ interface Canvases {
   over: HTMLCanvasElement | null
   /** Who draws the lowest. */
   renderer: Renderer | null
+  /** What its legend says is shown. */
+  legend: Footer['legend']
 }
 
-export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null, renderer: null }))
+export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null, renderer: null, legend: [] }))
 
-/** What is seen, as a PNG. */
-export async function pictureOf(lab: Lab): Promise<Blob | null> {
+/** What is seen, as a PNG with so many pixels a pixel of the page. */
+export async function pictureOf(lab: Lab, density: number, footer?: Footer): Promise<Blob | null> {
   const { renderer, over } = canvasesOf(lab)
-  const picture = (await renderer?.picture(devicePixelRatio || 1)) ?? null
+  const picture = (await renderer?.picture(density, footer)) ?? null
   if (!picture || !over) return picture
   const beneath = await createImageBitmap(picture)
   const whole = new OffscreenCanvas(beneath.width, beneath.height)
   const context = whole.getContext('2d')
   context?.drawImage(beneath, 0, 0)
-  context?.drawImage(over, 0, 0, beneath.width, beneath.height)
+  // Below what it lies over there may be more.
+  context?.drawImage(over, 0, 0, beneath.width, (over.height * beneath.width) / over.width)
   beneath.close()
   return whole.convertToBlob()
 }

@@ -1,6 +1,6 @@
 import type { Item, Point } from 'forage-lab'
 import { anchorsOf } from '../anchors'
-import type { Display, Ground, Renderer, RendererListeners } from '../display'
+import type { Display, Footer, Ground, Renderer, RendererListeners } from '../display'
 import type { Frame } from '../frame'
 import type { Names } from '../looks'
 import { Palette } from '../palette'
@@ -10,6 +10,14 @@ import type { Context, Pen } from './pen'
 
 /** Pictures in a file of lines and areas have so many pixels a pixel of the page. */
 const SHARP = 2
+
+/** What stands below a picture; nothing has no height. */
+async function sheetOf(footer: Footer | undefined, width: number): Promise<{ height: number; draw(pen: Pen, top: number): void }> {
+  if (!footer) return { height: 0, draw: () => undefined }
+  const { drawFooter, laidOut } = await import('./footer')
+  const sheet = laidOut(footer, width)
+  return { height: sheet.height, draw: (pen, top) => drawFooter(pen, sheet, top) }
+}
 
 /** Draws scenes and frames on a canvas of two dimensions: of the page, or of a thread. */
 export class CanvasRenderer implements Renderer {
@@ -50,21 +58,26 @@ export class CanvasRenderer implements Renderer {
     this.soon()
   }
 
-  async svg(caption: string): Promise<string> {
+  async svg(caption: string, footer?: Footer): Promise<string> {
     const { VectorContext } = await import('../vector/context')
     const display = await flat(this.shown())
     const { width, height } = display.size
-    const file = await this.painted(() => new VectorContext(width, height, SHARP), display, SHARP, this.painter)
+    const below = await sheetOf(footer, width)
+    const file = await this.painted(() => new VectorContext(width, height + below.height, SHARP), display, SHARP, this.painter)
+    below.draw(this.penOn(file, display, SHARP), height)
     return file.svg(caption)
   }
 
-  async picture(density: number): Promise<Blob> {
+  async picture(density: number, footer?: Footer): Promise<Blob> {
     const display = this.shown()
     const { width, height } = display.size
-    const sheet = new OffscreenCanvas(Math.max(1, Math.round(width * density)), Math.max(1, Math.round(height * density)))
+    const below = await sheetOf(footer, width)
+    const whole = height + below.height
+    const sheet = new OffscreenCanvas(Math.max(1, Math.round(width * density)), Math.max(1, Math.round(whole * density)))
     // Grids and space are drawn on canvases of their own: those of another size are another painter's.
     const painter = new Painter(() => undefined)
-    await this.painted(() => contextOf(sheet), { ...display, density }, density, painter)
+    const context = await this.painted(() => contextOf(sheet), { ...display, density }, density, painter)
+    below.draw(this.penOn(context, display, density), height)
     painter.drop()
     return sheet.convertToBlob()
   }
@@ -105,12 +118,16 @@ export class CanvasRenderer implements Renderer {
   private async painted<C extends Context>(make: () => C, display: Display, density: number, painter: Painter): Promise<C> {
     for (;;) {
       const context = make()
-      const pen: Pen = { ...display, context, density, palette: new Palette(display.theme) }
+      const pen = this.penOn(context, display, density)
       context.setTransform(density, 0, 0, density, 0, 0)
       painter.beneath(pen, display, this.heat)
       if (painter.above(pen, display, this.present)) return context
       await partsLoaded()
     }
+  }
+
+  private penOn(context: Context, display: Display, density: number): Pen {
+    return { ...display, context, density, palette: new Palette(display.theme) }
   }
 
   private draw(): void {
