@@ -192,7 +192,7 @@ export class FakeWorker {
       supposed: null,
       members: null,
       outcome: {},
-      link: '',
+      link: `${setup?.planner},${(setup?.scene as { name?: string } | undefined)?.name}`,
       hash: play ? null : `${setup?.planner} ${iteration}`,
       curve: null,
       frame: { buffer: new ArrayBuffer(0), vertices: 0, spans: 0, fields: [] },

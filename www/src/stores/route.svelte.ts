@@ -43,6 +43,8 @@ class Route {
   added = ''
   private last = 0
   private timer: ReturnType<typeof setTimeout> | undefined
+  /** A link of the address is being opened: until its run writes its own, the address stays. */
+  private opening = false
   /** Grows with each link that is opened from the address: entries of the history with this number are of the run that is here. */
   private opened = Date.now()
 
@@ -72,6 +74,7 @@ class Route {
 
   /** The run's link: at once where it stays, seldom while it plays. */
   write(link: string, when: 'now' | 'soon'): void {
+    this.opening = false
     this.link = shortened(link)
     if (this.view === 'lab') this.replaceWhen(when)
   }
@@ -120,13 +123,14 @@ class Route {
     clearTimeout(this.timer)
     this.last = performance.now()
     const { address } = this
-    if (address !== '' && location.hash !== address) history.replaceState(this.mark, '', address)
+    if (!this.opening && address !== '' && location.hash !== address) history.replaceState(this.mark, '', address)
   }
 
   /** The address is another one: by the browser's buttons, or because somebody wrote it. Returns the link that is to be opened. */
   follow(hash: string): string | null {
     const place = placeOf(hash)
     this.view = viewOf(hash)
+    this.opening = false
     if (place) {
       const known = place.keys === '' || place.keys === this.standing.get(place.view)
       this.wanted = wishOf(known ? '' : place.keys)
@@ -140,7 +144,8 @@ class Route {
       return null
     }
     this.opened += 1
-    return hash.length > 1 ? hash : null
+    this.opening = hash.length > 1
+    return this.opening ? hash : null
   }
 
   private get mark(): { opened: number } {

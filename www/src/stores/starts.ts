@@ -44,6 +44,8 @@ interface Stores {
 export class Starts {
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
+  /** So many links are being read. */
+  opening = 0
 
   constructor(
     private readonly stores: Stores,
@@ -55,7 +57,8 @@ export class Starts {
   openLink = async (link: string): Promise<boolean> => {
     const request = this.requests.note('setup', 'seed')
     let opened = true
-    await this.awaited.add(
+    this.opening += 1
+    const read = this.awaited.add(
       async () => this.stores.api.parseLink(isShortened(link) ? await restored(link) : link),
       (answer) => {
         opened = answer.ok
@@ -66,6 +69,7 @@ export class Starts {
         }
       },
     )
+    await read.finally(() => (this.opening -= 1))
     return opened
   }
 
