@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use crate::{
     kernel::words,
-    params::{Fixed, Overrides, Value},
+    params::{Fixed, Overrides},
 };
 
-use super::preset::fixed;
+use super::preset::{fixed, overrides};
 
 /// A case: a planner on a shipped scene, with parameters and a seed with which there is something to see.
 ///
@@ -57,6 +57,6 @@ impl Case {
 
     /// The values as overrides.
     pub fn given(&self) -> Overrides {
-        self.values.iter().map(|&(name, value)| (name, Value::from(value))).collect()
+        overrides(self.values)
     }
 }

@@ -36,6 +36,11 @@ pub(super) fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer:
     Object(&values.iter().map(|&(name, value)| (name, Value::from(value))).collect::<Vec<_>>()).serialize(serializer)
 }
 
+/// Fixed values as overrides.
+pub(super) fn overrides(values: &[(&'static str, Fixed)]) -> Overrides {
+    values.iter().map(|&(name, value)| (name, Value::from(value))).collect()
+}
+
 impl Preset {
     /// A preset with its name, title, help text, the scene to try it on, and its values.
     pub const fn new(
@@ -50,6 +55,6 @@ impl Preset {
 
     /// The values as overrides.
     pub fn given(&self) -> Overrides {
-        self.values.iter().map(|&(name, value)| (name, Value::from(value))).collect()
+        overrides(self.values)
     }
 }

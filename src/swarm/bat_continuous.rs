@@ -6,6 +6,7 @@
 //! position that is not worse than its own with its loudness as the probability, and only then gets quieter. The best
 //! position that was ever evaluated is kept, accepted or not. As printed, (8) adds x − x_best: bats fly away from the best.
 
+mod explain;
 #[cfg(test)]
 mod tests;
 
@@ -13,8 +14,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Case, Entry, Formula, Group, Layer, Preset, Reading, layers},
-    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Label, Planner, Progress, Readings, Started, State, rng::Stream},
-    label,
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     math::{self, clamp},
     message,
     params::{Choice, Fixed, Param, Parameters},
@@ -30,7 +30,7 @@ use super::{
     },
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, SUPPOSITIONS, Supposed, arrows, mark, particle, quantities, sheet},
+    sheet,
 };
 
 /// Bats: v ← v ± (x − g) f, x ← x + v, and walks about the best.
@@ -243,109 +243,6 @@ impl Explain for Bats {
 
     fn suppose(&self, item: Item, supposition: &str, others: &Stream) -> Option<Inspection> {
         self.explain_step(item, Some((supposition, others)))
-    }
-}
-
-const MOVED: [Label; 6] = [
-    label!("swarm-frequency-first-coordinate", "f", "f", "frequency, first coordinate"),
-    label!("swarm-velocity-before-first-coordinate", "v_before", "v", "velocity before, first coordinate"),
-    label!("swarm-position-before-first-coordinate", "x_before", "x", "position before, first coordinate"),
-    label!("swarm-global-best-first-coordinate", "g", "g", "global best, first coordinate"),
-    label!("swarm-velocity-first-coordinate", "v", "v", "velocity, first coordinate"),
-    label!("swarm-candidate-first-coordinate", "x", "x'", "candidate, first coordinate"),
-];
-const WALKED: [Label; 2] = [
-    label!("swarm-random-number-first-coordinate", "random", "\\epsilon", "random number, first coordinate"),
-    label!("swarm-mean-loudness-before", "mean_loudness", "\\bar A", "mean loudness before"),
-];
-const AFTERWARDS: [Label; 5] = [
-    label!("swarm-cost-before", "cost_before", "f(x)", "cost before"),
-    label!("swarm-cost-after", "cost", "f(x)", "cost after"),
-    label!("swarm-personal-best", "p_cost", "f(p)", "personal best"),
-    label!("swarm-loudness", "loudness", "A", "loudness"),
-    label!("swarm-pulse-rate", "pulse_rate", "r", "pulse rate"),
-];
-const COLUMNS: [Label; 5] = [
-    label!("swarm-position-before", "x_before", "x", "position before"),
-    label!("swarm-frequency", "f", "f", "frequency"),
-    label!("swarm-velocity-limited", "v", "v", "velocity, limited"),
-    label!("swarm-random-number-of-a-walk", "random", "\\epsilon", "random number of a walk"),
-    label!("swarm-candidate", "x", "x'", "candidate"),
-];
-
-struct Record<'a> {
-    particle: usize,
-    supposed: Supposed<'a>,
-    terms: Vec<Term>,
-}
-
-impl Watch for Record<'_> {
-    fn wants(&self, i: usize) -> bool {
-        i == self.particle
-    }
-
-    fn begins(&mut self, bats: &mut Bats) {
-        match self.supposed {
-            Some(("inertia", _)) => {
-                let row = bats.population.row(self.particle);
-                bats.v[row].fill(0.0);
-            }
-            Some(("best", _)) => bats.sign = 0.0,
-            Some((_, others)) => bats.rng = others.clone(),
-            None => {}
-        }
-    }
-
-    fn term(&mut self, term: Term) {
-        self.terms.push(term);
-    }
-}
-
-impl Bats {
-    /// What the next step does to a bat, or would do.
-    fn explain_step(&self, item: Item, supposed: Supposed) -> Option<Inspection> {
-        let i = particle(&self.population, item)?;
-        let mut record = Record { particle: i, supposed, terms: Vec::new() };
-        let mut after = self.clone();
-        while after.iterate(&mut record) == Progress::Partly {}
-        let (now, next, terms) = (&self.population, &after.population, &record.terms);
-        let row = now.row(i);
-        let (x, to): (_, Vec<_>) = (&now.x[row.clone()], terms.iter().map(|term| term.to).collect());
-        let meaning = &*now.objective;
-        let Last { walked, accepted } = after.last[i];
-
-        let moved = if walked {
-            message!("swarm-bat-walks", "Bat {i} walks about the global best.", i)
-        } else {
-            message!("swarm-bat-flies", "Bat {i} flies by its frequency and velocity.", i)
-        };
-        let outcome = if accepted {
-            message!("swarm-bat-accepts", "It accepts the new position and gets quieter.")
-        } else {
-            message!("swarm-bat-stays", "It does not accept the new position and stays.")
-        };
-        let mut told = sheet(meaning, item, if walked { "walk" } else { "flight" }, moved.then(outcome), now.dimension);
-        told.title = message!("swarm-bat", "Bat {i}", i);
-        told.columns = COLUMNS.to_vec();
-        told.rows = terms.iter().zip(x).map(|(term, &x)| vec![x, term.f, term.v, term.epsilon, term.to]).collect();
-        let velocity = if self.sign > 0.0 { BAT_VELOCITY } else { BAT_VELOCITY_TOWARD };
-        told.formulas = if walked { vec![WALK_ABOUT.name] } else { vec![FREQUENCY.name, velocity.name, BAT_POSITION.name] };
-        told.formulas.extend(if accepted { &["loudness", "pulse"][..] } else { &[] });
-        let [inertia, _, best, others] = SUPPOSITIONS;
-        told.suppositions = if walked { vec![others] } else { vec![inertia, best, others] };
-        let first = terms[0];
-        quantities(&mut told, &MOVED, &[first.f, self.v[row.start], x[0], now.g[0], first.v, first.to]);
-        if walked {
-            quantities(&mut told, &WALKED, &[first.epsilon, after.mean_loudness]);
-        }
-        let costs = [now.cost[i], next.cost[i], next.p_cost[i], after.loudness[i], after.pulse_rate[i]];
-        quantities(&mut told, &AFTERWARDS, &costs);
-        told.marks = vec![
-            mark(meaning, layers::BEFORE.key, x),
-            arrows(meaning, layers::JUMP.key, x, &to),
-            mark(meaning, layers::AFTER.key, &next.x[row]),
-        ];
-        Some(told)
     }
 }
 
