@@ -18,7 +18,7 @@ pub struct Formula {
     pub source: &'static str,
     /// The title, a few words.
     pub title: &'static str,
-    /// The equation in TeX, as in the paper. `\class{inertia}{…}` is the term that explanations mark by the layer of that name. `\class{inertia}{…}` is the term that explanations mark by that layer.
+    /// The equation in TeX, as in the paper. `\class{inertia}{…}` is the term that explanations mark by the layer of that name.
     pub tex: &'static str,
     /// The equation in TeX, with `@name@` in place of each current number.
     #[serde(skip_serializing_if = "str::is_empty")]

@@ -23,7 +23,7 @@ const CASES: &[Case] = &[Case::new(
 const PSEUDOCODE: &[&str] = &[
     "$g(\\text{start}) = 0$; only the start is open",
     "repeat until the goal is closed:",
-    "  take the open cell with the least $f = g + w h$, with $w$ = @weight@; the last had $f$ = @f@",
+    "  take the open cell with the least $f = g + w h$, with $w$ = @weight@; the next has $f$ = @f@",
     "  close it: @expanded@ cells were closed",
     "  for each free neighbour that it reaches by a shorter way:",
     "    set $g$ and the parent, and open the neighbour",

@@ -23,7 +23,7 @@ const CASES: &[Case] = &[Case::new(
 const PSEUDOCODE: &[&str] = &[
     "$g(\\text{start}) = 0$; only the start is open",
     "repeat until the goal is closed:",
-    "  take the open cell with the least $g$; the last had $g$ = @f@",
+    "  take the open cell with the least $g$; the next has $g$ = @f@",
     "  close it: @expanded@ cells were closed",
     "  for each free neighbour that it reaches by a shorter way:",
     "    set $g$ and the parent, and open the neighbour",

@@ -23,7 +23,7 @@ const CASES: &[Case] = &[Case::new(
 const PSEUDOCODE: &[&str] = &[
     "$g(\\text{start}) = 0$; only the start is open",
     "repeat until the goal is closed:",
-    "  take the open cell $s$ with the least $f = g + h$; the last had $f$ = @f@",
+    "  take the open cell $s$ with the least $f = g + h$; the next has $f$ = @f@",
     "  close it: @expanded@ cells were closed",
     "  for each free neighbour:",
     "    if the parent of $s$ sees it: that is the parent to try, otherwise $s$",

@@ -431,8 +431,8 @@ const PSEUDOCODE: &[&str] = &[
     "    far from the best tour it crosses over with it; close to it, it tries 2-opt moves",
     "    the tour found is improved by local search, where that is chosen",
     "    near the best it accepts with its loudness (on average @loudness@) as probability",
-    "    with more successes its loudness falls, and its pulse rate (@pulse_rate@) changes",
-    "  @different@ of the bats hold another tour than the best",
+    "    then it gets quieter, and its pulse rate (on average @pulse_rate@) falls",
+    "  a tour differs from the shortest at @different@ places, on average",
     "  the shortest tour has length @best@",
 ];
 

@@ -334,7 +334,7 @@ const PSEUDOCODE: &[&str] = &[
     "  for each other place: two parents win tournaments of @tournament@",
     "    with probability @crossover@ they cross over",
     "    with probability @mutation@ the child is mutated",
-    "  @shorter@ children are shorter than their parents",
+    "  a share of @shorter@ of the children is shorter than both parents",
     "  the shortest tour has length @best@",
 ];
 

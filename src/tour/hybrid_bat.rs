@@ -387,7 +387,7 @@ const PSEUDOCODE: &[&str] = &[
     "    it makes a share of the swaps that lead toward the best tour",
     "    or takes the best of @perturbations@ perturbations of the best tour",
     "    it accepts with its loudness (on average @loudness@) as probability",
-    "  @different@ of the bats hold another tour than the best",
+    "  a tour differs from the shortest at @different@ places, on average",
     "  the shortest tour has length @best@",
 ];
 

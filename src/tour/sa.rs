@@ -293,7 +293,7 @@ const CASES: &[Case] = &[Case::new(
 )];
 /// What it does, with the numbers of the iteration.
 const PSEUDOCODE: &[&str] = &[
-    "begin with a random tour and the temperature at which @accept_start@ of longer ones are accepted",
+    "begin with a random tour, and so hot that a usual lengthening is kept with probability @accept_start@",
     "repeat until iteration @iterations@, with $T$ = @temperature@:",
     "  @moves@ times for each stop: turn a random stretch round",
     "    if the tour gets shorter: keep it",

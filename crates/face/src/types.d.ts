@@ -338,7 +338,7 @@ export type Formula = {
   source: string
   /** The title, a few words. */
   title: string
-  /** The equation in TeX, as in the paper. `\class{inertia}{…}` is the term that explanations mark by the layer of that name. `\class{inertia}{…}` is the term that explanations mark by that layer. */
+  /** The equation in TeX, as in the paper. `\class{inertia}{…}` is the term that explanations mark by the layer of that name. */
   tex: string
   /** The equation in TeX, with `@name@` in place of each current number. */
   live?: string
