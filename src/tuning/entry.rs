@@ -14,7 +14,7 @@ use super::{
 const CASES: &[Case] = &[Case::new(
     "rooms",
     "A swarm tunes ants",
-    "Each particle is a set of the colony’s parameters, judged by a few runs. Ranks matter less in rooms.",
+    "Each particle is a set of the colony’s parameters, judged by a few runs. The best mean length never rises.",
     "rooms-20",
     &[],
 )
