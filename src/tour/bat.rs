@@ -330,7 +330,7 @@ impl Search for Bats {
     }
 
     fn explain(&self, i: usize, told: &mut Inspection) {
-        explain::bat(&self.swarm[i], self.local.is_some(), told);
+        self.tell(i, told);
     }
 }
 

@@ -174,8 +174,9 @@ export class Lab {
     this.selection.receive(report)
     playback.showReport(report)
     if (playback.restarting || !client.follows(report)) return
-    // What stands in the address and is being read is not yet the run's.
-    if (report.link !== null && this.starts.opening === 0) this.address.write(report.link, report.hash === null ? 'soon' : 'now')
+    // What stands in the address and is being read, or could not be loaded, is not the run's that is still shown.
+    if (report.link !== null && this.starts.opening === 0 && !this.notices.unloaded)
+      this.address.write(report.link, report.hash === null ? 'soon' : 'now')
     if (report.hash === null) return
     playback.underway = null
     this.followers.heed(report)
