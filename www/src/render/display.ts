@@ -2,6 +2,7 @@
 import type { ArmSolutions, EventKind, Inspection, Item, Look, Point, Point3, Reachability, Scene } from 'forage-lab'
 import type { Cell } from '../scene/cells'
 import type { Handle, Selection } from '../scene/edits'
+import type { FilmFormat } from './film/film'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 import type { Theme } from './palette'
@@ -95,6 +96,24 @@ export interface Footer {
   link: string
 }
 
+/** How a picture in a file differs from what is seen. */
+export interface Looks {
+  footer?: Footer | undefined
+  /** Its colours; absent: those that are seen. */
+  theme?: Theme | undefined
+}
+
+/** A recording that is to be made. */
+export interface Filming {
+  format: FilmFormat
+  /** Pixels a pixel of the page. */
+  density: number
+  /** Pictures a second. */
+  rate: number
+  /** As tall as the first picture's, there is room for each one's own. */
+  footer?: Footer | undefined
+}
+
 /** Draws one canvas. What was given last counts. */
 export interface Renderer {
   show(display: Display): void
@@ -102,9 +121,15 @@ export interface Renderer {
   frame(frame: Frame, names: Names): void
   ground(ground: Ground | null): void
   /** What is seen, as SVG with this title. */
-  svg(caption: string, footer?: Footer): Promise<string>
+  svg(caption: string, looks?: Looks): Promise<string>
   /** What is seen, as PNG with so many pixels a pixel of the page. */
-  picture(density: number, footer?: Footer): Promise<Blob>
+  picture(density: number, looks?: Looks): Promise<Blob>
+  /** Begins a recording. */
+  film(filming: Filming): Promise<void>
+  /** What is seen, as its next picture. */
+  shoot(footer?: Footer): Promise<void>
+  /** Ends it. */
+  cut(): Promise<Blob>
   /** The nearest of these layers' points that are shown in space and seen within this reach, in pixels; its index is that in the frame. */
   nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null>
   dispose(): void

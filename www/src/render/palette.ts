@@ -6,6 +6,8 @@ const PALETTE: Readonly<Record<string, readonly string[] | undefined>> = tokens
 /** Which of the palette's colours a canvas has. */
 export interface Theme {
   dark: boolean
+  /** On paper: a white ground, black text. */
+  print?: boolean
   /** The best result has this colour where it is one of several. */
   best?: string
 }
@@ -15,10 +17,11 @@ export class Palette {
   constructor(private readonly theme: Theme) {}
 
   get(token: string | Color): string {
-    const { dark, best } = this.theme
+    const { dark, print = false, best } = this.theme
     if (typeof token !== 'string') return dark ? token.dark : token.light
     const own = best !== undefined && token === '--best' ? best : token
-    return PALETTE[own.slice(2)]?.[dark ? 1 : 0] ?? ''
+    const [light = '', night = '', paper = light] = PALETTE[own.slice(2)] ?? []
+    return print ? paper : dark ? night : light
   }
 }
 

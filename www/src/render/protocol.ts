@@ -1,6 +1,6 @@
 /* What the page and the thread that draws say to each other. Each message is about one canvas. */
-import type { Item, Point } from 'forage-lab'
-import type { Display, Footer, Ground, SpaceState } from './display'
+import type { Point } from 'forage-lab'
+import type { Display, Filming, Footer, Ground, Looks, SpaceState } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 
@@ -15,13 +15,18 @@ export type ToRenderer = { canvas: number } & (
   | ({ is: 'ask'; id: number } & Asked)
   /** Whether space can be drawn: gets `probed`. */
   | { is: 'probe' }
+  /** Where the letters are that all canvases are labelled with: gets `lettered`. */
+  | { is: 'letters'; address: string }
   | { is: 'close' }
 )
 
-/** A picture as a file, or a point of it. */
+/** A picture or a recording as a file, or a point of it. */
 export type Asked =
-  | { for: 'svg'; caption: string; footer?: Footer | undefined }
-  | { for: 'picture'; density: number; footer?: Footer | undefined }
+  | { for: 'svg'; caption: string; looks?: Looks | undefined }
+  | { for: 'picture'; density: number; looks?: Looks | undefined }
+  | { for: 'film'; filming: Filming }
+  | { for: 'shoot'; footer?: Footer | undefined }
+  | { for: 'cut' }
   | { for: 'nearest'; at: Point; reach: number; layers: readonly string[] }
 
 export type FromRenderer = { canvas: number } & (
@@ -29,8 +34,9 @@ export type FromRenderer = { canvas: number } & (
   | { is: 'drawn' }
   | { is: 'closed' }
   | { is: 'probed'; able: boolean }
+  | { is: 'lettered' }
   | { is: 'space'; state: SpaceState }
   | Answer
 )
 
-export type Answer = { is: 'answer'; id: number; value: string | Blob | Item | null } | { is: 'refused'; id: number; message: string }
+export type Answer = { is: 'answer'; id: number; value: unknown } | { is: 'refused'; id: number; message: string }

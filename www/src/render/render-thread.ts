@@ -2,7 +2,7 @@
 import { CanvasRenderer } from './canvas/renderer'
 import type { Display } from './display'
 import type { Names } from './looks'
-import type { Answer, Asked, FromRenderer, ToRenderer } from './protocol'
+import type { Asked, FromRenderer, ToRenderer } from './protocol'
 
 interface Drawn {
   renderer: CanvasRenderer
@@ -20,6 +20,18 @@ function probe(canvas: number): void {
   context?.getExtension('WEBGL_lose_context')?.loseContext()
 }
 
+/** Threads have letters of their own. */
+async function letter(canvas: number, address: string): Promise<void> {
+  const { fonts } = self as unknown as { fonts?: FontFaceSet }
+  try {
+    fonts?.add(await new FontFace('Inter', `url("${address}")`, { weight: '100 900' }).load())
+    for (const { renderer } of canvases.values()) renderer.refresh()
+  } catch {
+    // The system's are there.
+  }
+  send({ canvas, is: 'lettered' })
+}
+
 function open(canvas: number, element: OffscreenCanvas): void {
   const renderer = new CanvasRenderer(element, {
     onreleased: (buffer) => send({ canvas, is: 'released', buffer }, [buffer]),
@@ -29,9 +41,21 @@ function open(canvas: number, element: OffscreenCanvas): void {
   canvases.set(canvas, { renderer, display: {}, names: { layers: [], shapes: [] } })
 }
 
-const found = (renderer: CanvasRenderer, asked: Asked): Promise<Extract<Answer, { is: 'answer' }>['value']> => {
-  if (asked.for === 'svg') return renderer.svg(asked.caption, asked.footer)
-  return asked.for === 'picture' ? renderer.picture(asked.density, asked.footer) : renderer.nearest(asked.at, asked.reach, asked.layers)
+function found(renderer: CanvasRenderer, asked: Asked): Promise<unknown> {
+  switch (asked.for) {
+    case 'svg':
+      return renderer.svg(asked.caption, asked.looks)
+    case 'picture':
+      return renderer.picture(asked.density, asked.looks)
+    case 'film':
+      return renderer.film(asked.filming)
+    case 'shoot':
+      return renderer.shoot(asked.footer)
+    case 'cut':
+      return renderer.cut()
+    case 'nearest':
+      return renderer.nearest(asked.at, asked.reach, asked.layers)
+  }
 }
 
 async function answer(canvas: number, renderer: CanvasRenderer, asked: Asked & { id: number }): Promise<void> {
@@ -46,6 +70,7 @@ async function answer(canvas: number, renderer: CanvasRenderer, asked: Asked & {
 addEventListener('message', ({ data }: MessageEvent<ToRenderer>) => {
   if (data.is === 'open') open(data.canvas, data.element)
   if (data.is === 'probe') probe(data.canvas)
+  if (data.is === 'letters') void letter(data.canvas, data.address)
   const drawn = canvases.get(data.canvas)
   if (!drawn) return
   const { renderer } = drawn

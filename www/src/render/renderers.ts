@@ -1,5 +1,5 @@
 import type { Item, Point } from 'forage-lab'
-import type { Display, Footer, Ground, Renderer, RendererListeners } from './display'
+import type { Display, Filming, Footer, Ground, Looks, Renderer, RendererListeners } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 import type { Answer, Asked, FromRenderer, ToRenderer } from './protocol'
@@ -33,12 +33,24 @@ class RemoteRenderer implements Renderer {
     this.send({ is: 'ground', ground }, ground ? [ground.bitmap] : [])
   }
 
-  svg(caption: string, footer?: Footer): Promise<string> {
-    return this.ask({ for: 'svg', caption, footer })
+  svg(caption: string, looks?: Looks): Promise<string> {
+    return this.ask({ for: 'svg', caption, looks })
   }
 
-  picture(density: number, footer?: Footer): Promise<Blob> {
-    return this.ask({ for: 'picture', density, footer })
+  picture(density: number, looks?: Looks): Promise<Blob> {
+    return this.ask({ for: 'picture', density, looks })
+  }
+
+  film(filming: Filming): Promise<void> {
+    return this.ask({ for: 'film', filming })
+  }
+
+  shoot(footer?: Footer): Promise<void> {
+    return this.ask({ for: 'shoot', footer })
+  }
+
+  cut(): Promise<Blob> {
+    return this.ask({ for: 'cut' })
   }
 
   nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null> {
@@ -87,6 +99,7 @@ export class Renderers {
   private alone = false
   private probe: Promise<boolean> | undefined
   private probed: ((able: boolean) => void) | undefined
+  private lettered: (() => void) | undefined
 
   /** `start` starts a thread. */
   constructor(private readonly start: () => Worker) {}
@@ -116,6 +129,16 @@ export class Renderers {
     this.canvases.set(number, opened)
     send({ is: 'open', element }, [element])
     return opened.renderer
+  }
+
+  /** Gives the thread the letters at this address; resolves when it has them, or when there is no thread. */
+  letters(address: string): Promise<void> {
+    const { worker } = this
+    if (!worker) return Promise.resolve()
+    return new Promise((resolve) => {
+      this.lettered = resolve
+      worker.postMessage({ is: 'letters', address, canvas: 0 } satisfies ToRenderer)
+    })
   }
 
   /** Whether a thread can draw space. A canvas that was given away cannot be taken back: it is asked before. */
@@ -150,6 +173,10 @@ export class Renderers {
       this.probed?.(message.able)
       return
     }
+    if (message.is === 'lettered') {
+      this.lettered?.()
+      return
+    }
     const opened = this.canvases.get(message.canvas)
     if (!opened) return
     if (message.is === 'closed') this.canvases.delete(message.canvas)
@@ -166,6 +193,7 @@ export class Renderers {
   private lose(): void {
     this.alone = true
     this.probed?.(false)
+    this.lettered?.()
     this.worker?.terminate()
     this.worker = undefined
     const lost = [...this.canvases.values()]

@@ -1,5 +1,5 @@
 import { perLab } from '../../stores/context.svelte'
-import type { Footer, Renderer } from '../../render/display'
+import type { Display, Footer, Looks, Renderer } from '../../render/display'
 import type { Lab } from '../../stores/lab.svelte'
 
 /** The canvases of a stage, lowest first, for those who want to save what they show. */
@@ -8,17 +8,19 @@ interface Canvases {
   over: HTMLCanvasElement | null
   /** Who draws the lowest. */
   renderer: Renderer | null
+  /** What is seen. */
+  display: Display | null
   /** What its legend says is shown. */
   legend: Footer['legend']
 }
 
-export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null, renderer: null, legend: [] }))
+export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null, renderer: null, display: null, legend: [] }))
 
 /** What is seen, as a PNG with so many pixels a pixel of the page. */
-export async function pictureOf(lab: Lab, density: number, footer?: Footer): Promise<Blob | null> {
-  const { renderer, over } = canvasesOf(lab)
-  const picture = (await renderer?.picture(density, footer)) ?? null
-  if (!picture || !over) return picture
+export async function pictureOf(lab: Lab, renderer: Renderer, density: number, looks?: Looks): Promise<Blob> {
+  const { over } = canvasesOf(lab)
+  const picture = await renderer.picture(density, looks)
+  if (!over) return picture
   const beneath = await createImageBitmap(picture)
   const whole = new OffscreenCanvas(beneath.width, beneath.height)
   const context = whole.getContext('2d')

@@ -5,7 +5,9 @@ import { applyStyle, type Pen } from './pen'
 
 /** All in pixels of the page. */
 const [MARGIN, LINE, GAP, SAMPLE] = [12, 16, 14, 22]
-const BOLD = `bold ${FONT}`
+const BOLD = `700 ${FONT}`
+/** Others may see it in wider letters. */
+const SPARE = 0.88
 
 interface Row {
   font: string
@@ -25,7 +27,7 @@ export function laidOut({ caption, legend, link }: Footer, width: number): Sheet
     scratch.font = font
     return scratch.measureText(text).width
   }
-  const room = width - 2 * MARGIN
+  const room = SPARE * (width - 2 * MARGIN)
   const rows: Row[] = []
   caption.forEach((text, at) => {
     const font = at === 0 ? BOLD : FONT
@@ -36,7 +38,7 @@ export function laidOut({ caption, legend, link }: Footer, width: number): Sheet
   let x = MARGIN
   for (const { title, look, line } of legend) {
     const end = x + SAMPLE + 6 + wide(title, FONT)
-    if (!row || end > width - MARGIN) {
+    if (!row || end > MARGIN + room) {
       row = { font: FONT, pieces: [] }
       rows.push(row)
       x = MARGIN

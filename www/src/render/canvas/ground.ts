@@ -44,6 +44,19 @@ export function drawGrid(pen: Pen, scene: Scene, lines: boolean): void {
   for (const [value, y] of rows) if (y > 12 && y < size.height - 24) plate(context, palette.get('--stage'), label(value), 7, y)
 }
 
+/** What the axes are called, where a file has no page around it. */
+export function drawAxisTitles({ context, size, palette }: Pen, scene: Scene): void {
+  if (scene.kind === 'arm' || (scene.kind === 'tour' && !scene.points?.length)) return
+  const [x, y] = scene.kind === 'function' ? ['x₁', 'x₂'] : ['x', 'y']
+  context.font = `italic ${FONT}`
+  context.fillStyle = palette.get('--ink')
+  context.textBaseline = 'middle'
+  context.textAlign = 'right'
+  plate(context, palette.get('--stage'), x, size.width - 7, size.height - 22)
+  context.textAlign = 'left'
+  plate(context, palette.get('--stage'), y, 22, 10)
+}
+
 /** Text on a ground of its own. */
 export function plate(context: Context, ground: string, text: string, x: number, y: number): void {
   const ink = context.fillStyle

@@ -1,10 +1,12 @@
 import type { Item, Point } from 'forage-lab'
 import { anchorsOf } from '../anchors'
-import type { Display, Footer, Ground, Renderer, RendererListeners } from '../display'
+import type { Display, Filming, Footer, Ground, Looks, Renderer, RendererListeners } from '../display'
+import type { Encoder, FilmContext } from '../film/film'
 import type { Frame } from '../frame'
 import type { Names } from '../looks'
 import { Palette } from '../palette'
 import { fit, margins } from '../view'
+import { drawAxisTitles } from './ground'
 import { Painter, partsLoaded, type Present } from './painter'
 import type { Context, Pen } from './pen'
 
@@ -28,6 +30,7 @@ export class CanvasRenderer implements Renderer {
   private heat: Ground | null = null
   private backdrop: { sheet: OffscreenCanvas; key: readonly unknown[] } | null = null
   private request = 0
+  private filming: { context: FilmContext; density: number; encoder: Encoder; painter: Painter } | null = null
   private drawn = false
 
   constructor(
@@ -52,26 +55,34 @@ export class CanvasRenderer implements Renderer {
     this.soon()
   }
 
+  /** All is drawn once more. */
+  refresh(): void {
+    this.backdrop = null
+    this.soon()
+  }
+
   ground(ground: Ground | null): void {
     this.heat?.bitmap.close()
     this.heat = ground
     this.soon()
   }
 
-  async svg(caption: string, footer?: Footer): Promise<string> {
+  async svg(caption: string, looks: Looks = {}): Promise<string> {
     const { VectorContext } = await import('../vector/context')
-    const display = await flat(this.shown())
+    const display = await flat(this.shown(looks))
     const { width, height } = display.size
-    const below = await sheetOf(footer, width)
-    const file = await this.painted(() => new VectorContext(width, height + below.height, SHARP), display, SHARP, this.painter)
+    const below = await sheetOf(looks.footer, width)
+    const painter = new Painter(() => undefined)
+    const file = await this.painted(() => new VectorContext(width, height + below.height, SHARP), display, SHARP, painter)
     below.draw(this.penOn(file, display, SHARP), height)
+    painter.drop()
     return file.svg(caption)
   }
 
-  async picture(density: number, footer?: Footer): Promise<Blob> {
-    const display = this.shown()
+  async picture(density: number, looks: Looks = {}): Promise<Blob> {
+    const display = this.shown(looks)
     const { width, height } = display.size
-    const below = await sheetOf(footer, width)
+    const below = await sheetOf(looks.footer, width)
     const whole = height + below.height
     const sheet = new OffscreenCanvas(Math.max(1, Math.round(width * density)), Math.max(1, Math.round(whole * density)))
     // Grids and space are drawn on canvases of their own: those of another size are another painter's.
@@ -82,12 +93,45 @@ export class CanvasRenderer implements Renderer {
     return sheet.convertToBlob()
   }
 
+  async film({ format, density, rate, footer }: Filming): Promise<void> {
+    const [{ encoderOf, even }, { size }] = [await import('../film/film'), this.shown()]
+    const below = await sheetOf(footer, size.width)
+    const sheet = new OffscreenCanvas(even(size.width * density), even((size.height + below.height) * density))
+    // Drawn without a graphics card: the same pictures are the same pixels.
+    const context = contextOf(sheet, { willReadFrequently: true })
+    context.fillStyle = new Palette(this.shown().theme).get('--stage')
+    context.fillRect(0, 0, sheet.width, sheet.height)
+    this.filming = { context, density, encoder: await encoderOf(format, context, rate), painter: new Painter(() => undefined) }
+  }
+
+  async shoot(footer?: Footer): Promise<void> {
+    const { filming } = this
+    if (!filming) throw new Error('nothing is recorded')
+    const { context, density, painter, encoder } = filming
+    const display = this.shown()
+    const below = await sheetOf(footer, display.size.width)
+    await this.painted(() => context, { ...display, density }, density, painter)
+    below.draw(this.penOn(context, display, density), display.size.height)
+    await encoder.add()
+  }
+
+  async cut(): Promise<Blob> {
+    const { filming } = this
+    if (!filming) throw new Error('nothing is recorded')
+    this.filming = null
+    filming.painter.drop()
+    return filming.encoder.end()
+  }
+
   async nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null> {
     return this.painter.nearest(this.display, at, reach, layers)
   }
 
   dispose(): void {
     this.painter.drop()
+    this.filming?.painter.drop()
+    void this.filming?.encoder.cancel()
+    this.filming = null
     if (this.request !== 0) cancelAnimationFrame(this.request)
     this.heat?.bitmap.close()
     this.release()
@@ -102,16 +146,17 @@ export class CanvasRenderer implements Renderer {
   }
 
   private soon(): void {
-    if (this.request !== 0) return
+    // Nobody looks at what is recorded.
+    if (this.request !== 0 || this.filming) return
     this.request = requestAnimationFrame(() => {
       this.request = 0
       this.draw()
     })
   }
 
-  private shown(): Display {
+  private shown({ theme }: Looks = {}): Display {
     if (!this.display) throw new Error('nothing is shown yet')
-    return this.display
+    return theme ? { ...this.display, theme: { ...this.display.theme, ...theme } } : this.display
   }
 
   /** All of the picture on something else, with all that it needs. */
@@ -121,7 +166,10 @@ export class CanvasRenderer implements Renderer {
       const pen = this.penOn(context, display, density)
       context.setTransform(density, 0, 0, density, 0, 0)
       painter.beneath(pen, display, this.heat)
-      if (painter.above(pen, display, this.present)) return context
+      if (painter.above(pen, display, this.present)) {
+        drawAxisTitles(pen, display.scene)
+        return context
+      }
       await partsLoaded()
     }
   }
@@ -165,8 +213,8 @@ export class CanvasRenderer implements Renderer {
   }
 }
 
-function contextOf(sheet: OffscreenCanvas): OffscreenCanvasRenderingContext2D {
-  const context = sheet.getContext('2d')
+function contextOf(sheet: OffscreenCanvas, settings?: CanvasRenderingContext2DSettings): OffscreenCanvasRenderingContext2D {
+  const context = sheet.getContext('2d', settings)
   if (!context) throw new Error('this browser gives no canvas')
   return context
 }

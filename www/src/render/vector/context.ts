@@ -306,9 +306,10 @@ export class VectorContext implements Context {
   }
 
   private type(): Attributes {
-    const [, weight, size, family] = /^(?:(\d+) )?([\d.]+)px (.*)$/.exec(this.font) ?? []
+    const [, style, weight, size, family] = /^(?:(italic) )?(?:(\d+) )?([\d.]+)px (.*)$/.exec(this.font) ?? []
     return {
       'font-family': family,
+      'font-style': style,
       'font-size': size,
       'font-weight': weight,
       'text-anchor': ANCHORS[this.textAlign],

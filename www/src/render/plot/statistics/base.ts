@@ -2,15 +2,19 @@ import type uPlot from 'uplot'
 import 'uplot/dist/uPlot.min.css'
 import type { Axis } from './scale'
 
-export interface Theme {
+/** The colours of a chart. */
+export interface Colours {
   ink: string
   line: string
   exact: string
   danger: string
   surface: string
-  font: string
   /** Of the entrants, by their places. */
   series: string[]
+}
+
+export interface Theme extends Colours {
+  font: string
 }
 
 /** What the tokens come to here, as a canvas understands it. */
@@ -28,9 +32,12 @@ export function themeOf(host: HTMLElement, slots: readonly number[]): Theme {
 
 /** The same colour, seen through. */
 export function faint(colour: string, share: number): string {
+  if (colour.startsWith('#')) return `${colour.slice(0, 7)}${hex(Math.round(255 * share))}`
   const parts = colour.match(/[\d.]+/g)?.slice(0, 3)
   return parts ? `rgb(${parts.join(' ')} / ${share})` : colour
 }
+
+const hex = (value: number): string => value.toString(16).padStart(2, '0')
 
 interface AxisOptions {
   theme: Theme

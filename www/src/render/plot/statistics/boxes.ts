@@ -1,6 +1,6 @@
 import uPlot from 'uplot'
 import type { GroupSummary } from 'forage-lab'
-import { axis, faint, type Theme } from './base'
+import { axis, type Colours, faint, type Theme } from './base'
 import { GOLDEN, jitter, PADDING, PLASTIC, ROW } from './layout'
 import type { Axis } from './scale'
 
@@ -46,11 +46,15 @@ export interface Quartiles {
 
 const DOT = 2.75
 
+/** Room at the right, for runs without a result. */
+export const stripOf = (groups: readonly PlottedGroup<PlottedRun>[]): number =>
+  groups.some(({ summary }) => !isFeasible(summary)) ? PADDING.strip : PADDING.side
+
 export const isFeasible = ({ feasible, runs }: GroupSummary): boolean => feasible === runs
 
 export function boxPlot<R extends PlottedRun, G extends PlottedGroup<R>>(host: HTMLElement, options: BoxOptions<R, G>): uPlot {
   const { groups, theme, axis: scale } = options
-  const strip = groups.some(({ summary }) => !isFeasible(summary)) ? PADDING.strip : PADDING.side
+  const strip = stripOf(groups)
   return new uPlot(
     {
       width: host.clientWidth,
@@ -61,30 +65,60 @@ export function boxPlot<R extends PlottedRun, G extends PlottedGroup<R>>(host: H
       scales: { x: { time: false, range: () => scale.range }, y: { range: () => [0, Math.max(1, groups.length)] } },
       axes: [axis({ theme, side: 'x', splits: scale.splits, label: scale.label, grid: true }), { show: false }],
       series: [{}, { show: true, stroke: 'transparent', points: { show: false } }],
-      hooks: { draw: [(plot) => options.ondrawn(groups.flatMap((group, at) => draw(plot, group, at, strip, options)))] },
+      hooks: {
+        draw: [
+          (plot) => {
+            const { ctx, bbox } = plot
+            const place = (value: number): number => plot.valToPos(scale.place(value), 'x', true)
+            const ground = { ctx, place, top: bbox.top, end: bbox.left + bbox.width, strip, ratio: devicePixelRatio }
+            options.ondrawn(groups.flatMap((group, at) => drawRow(ground, group, at, options)))
+          },
+        ],
+      },
     },
     [scale.range, [null, null]],
     host,
   )
 }
 
+/** What rows are drawn on, in pixels of `ctx`: a canvas of the page, or a file. */
+export interface Ground {
+  ctx: Brush
+  top: number
+  /** Where the values end at the right. */
+  end: number
+  /** Room beyond it for runs without a result. */
+  strip: number
+  /** Pixels of `ctx` a pixel of the page. */
+  ratio: number
+  /** Where a value of the runs is. */
+  place(value: number): number
+}
+
+type Brush = Pick<
+  CanvasRenderingContext2D,
+  'save' | 'restore' | 'beginPath' | 'setLineDash' | 'strokeStyle' | 'lineWidth' | 'fillStyle' | 'moveTo' | 'lineTo' | 'rect' | 'arc'
+> & { stroke(): void; fill(): void }
+
+/** What tells how rows look. */
+export interface RowOptions<R extends PlottedRun, G extends PlottedGroup<R>>
+  extends Pick<BoxOptions<R, G>, 'valueOfRun' | 'quartilesOf' | 'exactOf'> {
+  theme: Colours
+}
+
 /** A row: the box above its dots, and those without a result beside them. */
-function draw<R extends PlottedRun, G extends PlottedGroup<R>>(
-  plot: uPlot,
+export function drawRow<R extends PlottedRun, G extends PlottedGroup<R>>(
+  { ctx, top: first, end, strip, ratio, place }: Ground,
   group: G,
   at: number,
-  strip: number,
-  options: BoxOptions<R, G>,
+  options: RowOptions<R, G>,
 ): Dot<R>[] {
-  const { theme, axis: scale, valueOfRun } = options
-  const { ctx, bbox } = plot
-  const ratio = devicePixelRatio
-  const place = (value: number): number => plot.valToPos(scale.place(value), 'x', true)
-  const top = bbox.top + at * ROW.height * ratio
+  const { theme, valueOfRun } = options
+  const top = first + at * ROW.height * ratio
   const colour = theme.series[at] ?? theme.ink
   ctx.save()
 
-  if (at > 0) line(ctx, 0, top, bbox.left + bbox.width + strip * ratio, top, theme.line, ratio)
+  if (at > 0) line(ctx, 0, top, end + strip * ratio, top, theme.line, ratio)
   const exact = options.exactOf(group)
   if (exact !== null) line(ctx, place(exact), top, place(exact), top + ROW.height * ratio, theme.exact, 1.5 * ratio, [5 * ratio, 4 * ratio])
 
@@ -95,7 +129,7 @@ function draw<R extends PlottedRun, G extends PlottedGroup<R>>(
     const value = valueOfRun(run)
     const y = top + (ROW.dots + ROW.dotsHeight * jitter(run.record.seed + 1, GOLDEN)) * ratio
     if (value !== null) return { x: place(value), y, run }
-    const from = bbox.left + bbox.width + 14 * ratio
+    const from = end + 14 * ratio
     return { x: from + (strip - 28) * ratio * jitter(run.record.seed + 1, PLASTIC), y, run }
   })
   for (const { x, y, run } of dots) mark(ctx, x, y, run, valueOfRun(run) === null, colour, theme, ratio)
@@ -103,16 +137,7 @@ function draw<R extends PlottedRun, G extends PlottedGroup<R>>(
   return dots.map(({ x, y, run }) => ({ x: x / ratio, y: y / ratio, run }))
 }
 
-function line(
-  ctx: CanvasRenderingContext2D,
-  x1: number,
-  y1: number,
-  x2: number,
-  y2: number,
-  colour: string,
-  width: number,
-  dash: number[] = [],
-): void {
+function line(ctx: Brush, x1: number, y1: number, x2: number, y2: number, colour: string, width: number, dash: number[] = []): void {
   ctx.beginPath()
   ctx.setLineDash(dash)
   ctx.strokeStyle = colour
@@ -124,7 +149,7 @@ function line(
 }
 
 function box(
-  ctx: CanvasRenderingContext2D,
+  ctx: Brush,
   { low, lower, median, upper, high }: Quartiles,
   place: (value: number) => number,
   top: number,
@@ -151,16 +176,7 @@ function box(
 }
 
 /** A dot; an outlier's is a ring, one without a result a cross. */
-function mark(
-  ctx: CanvasRenderingContext2D,
-  x: number,
-  y: number,
-  run: PlottedRun,
-  none: boolean,
-  colour: string,
-  theme: Theme,
-  ratio: number,
-): void {
+function mark(ctx: Brush, x: number, y: number, run: PlottedRun, none: boolean, colour: string, theme: Colours, ratio: number): void {
   const size = DOT * ratio
   ctx.beginPath()
   if (none) {

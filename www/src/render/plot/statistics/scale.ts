@@ -1,4 +1,5 @@
 import { number, superscript } from '../../../text/number'
+import { decades as powers } from '../scale'
 
 export type Measure = 'value' | 'gap'
 export type ValueScale = 'linear' | 'log'
@@ -90,11 +91,27 @@ export function logarithmic(values: readonly number[], measure: Measure): Axis {
 export const axisOf = (scale: ValueScale, values: readonly number[], measure: Measure): Axis =>
   (scale === 'log' ? logarithmic : linear)(values, measure)
 
+/** Values on one of the scales of a run's own charts, over this range. */
+export function axisOn(scale: 'linear' | 'log' | 'near', [low, high]: readonly [number, number]): Axis {
+  if (scale !== 'log') return { place: (value) => value, range: [low, high], label: decimals }
+  return {
+    place: (value) => (value > 0 ? Math.log10(value) : NaN),
+    range: [Math.log10(low), Math.log10(high)],
+    splits: (most) => powers([low, high], most).map((value) => Math.log10(value)),
+    label: powerLabel,
+  }
+}
+
+/** Iterations or evaluations from nought on. */
+export const countAxis = (last: number): Axis => ({
+  place: (at) => at,
+  range: [0, Math.max(1, last)],
+  label: (at) => (Number.isInteger(at) ? number(at) : ''),
+})
+
 /** Evaluations: from nought, or from the first on by their logarithm. */
 export function evaluationAxis(scale: ValueScale, first: number, last: number): Axis {
-  if (scale === 'linear') {
-    return { place: (at) => at, range: [0, Math.max(1, last)], label: (at) => (Number.isInteger(at) ? number(at) : '') }
-  }
+  if (scale === 'linear') return countAxis(last)
   const [from, to] = [Math.log10(Math.max(1, first)), Math.log10(Math.max(10, last))]
   return {
     place: (at) => Math.log10(Math.max(1, at)),

@@ -1,3 +1,4 @@
+import { batch as text } from '../../../locales/en/batch'
 import { isPositive, type Measure, type ValueScale } from '../../../render/plot/statistics/scale'
 import type { Shown } from './shown'
 
@@ -20,6 +21,12 @@ export const measureOf = (shown: Shown, chosen: Measure | undefined): Measure =>
 /** What a run comes to in a measure; null without a feasible result. */
 export const valueIn = (measure: Measure, { value, gap }: { value: number | null; gap: number | null }): number | null =>
   value === null ? null : measure === 'gap' ? gap : value
+
+/** What the values are. */
+export function titleOf(shown: Shown, measure: Measure): string {
+  if (measure === 'gap') return oneYardstick(shown) ? text.results.gapAxis : text.results.gapAxisOwn
+  return shown.plan.scene.kind === 'function' ? text.results.cost : text.results.length
+}
 
 export function valuesOf({ groups }: Shown, measure: Measure): number[] {
   return groups.flatMap(({ runs }) => runs.map(({ record }) => valueIn(measure, record)).filter((value) => value !== null))

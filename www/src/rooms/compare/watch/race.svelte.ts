@@ -20,7 +20,7 @@ export class Race extends Times {
   readonly ranks = $derived(ranks(this.lanes.map(({ racing, mark }) => (racing ? mark : null))))
   /** Of the runs that are here: what is compared may be another one already. */
   scene = $state.raw<Scene | null>(null)
-  private seed = -1
+  seed = -1
   /** What is to be done once all have begun. */
   private wanted: { play?: boolean; at?: number } = {}
 

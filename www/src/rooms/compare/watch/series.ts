@@ -9,6 +9,9 @@ export const strokeOf = (slot: number): Stroke => {
   return { token: tokenOf(slot), width: 2.25, ...(dash && { dash }) }
 }
 
+/** The level of an exact optimum. */
+export const EXACT: Stroke = { token: '--exact', width: 1.25, dash: [6, 4] }
+
 /** The feasible bests as columns over all evaluations at which one changed, up to `end`: each holds until its next change. */
 export function staircases(all: readonly (TrialCurve | null)[], end: number, lasts: readonly number[]): Curves {
   const places = new Set([0, end])

@@ -1,0 +1,20 @@
+import { figures as text } from '../../../locales/en/figures'
+import { exactly, number } from '../../../text/number'
+import type { Described } from '../../../features/figure/described'
+import { nameOf } from './files'
+import type { Shown } from './shown'
+
+/** What goes with a figure of these results. */
+export function describedOf(shown: Shown, chart: string, caption: string): Described {
+  const { plan, groups } = shown
+  const of = groups.map(({ label }) => label).join(', ')
+  const budget = typeof plan.budget === 'number' ? [text.budget(number(plan.budget))] : []
+  return {
+    name: `${nameOf(shown)}-${chart}`,
+    caption: [
+      text.compared(of, plan.maps ? plan.maps.generator : plan.scene.title),
+      [caption, text.seeds(exactly(plan.from), exactly(plan.from + plan.count - 1)), ...budget].join(' '),
+    ],
+    link: location.href,
+  }
+}
