@@ -12,6 +12,7 @@ class RemoteRenderer implements Renderer {
   private names: Names | undefined
   private readonly waiting = new Map<number, { resolve(value: unknown): void; reject(error: Error): void }>()
   private asked = 0
+  private disposed = false
 
   constructor(private readonly send: (message: Unaddressed<ToRenderer>, transfer?: Transferable[]) => void) {}
 
@@ -58,6 +59,7 @@ class RemoteRenderer implements Renderer {
   }
 
   private ask<T>(asked: Asked): Promise<T> {
+    if (this.disposed) return Promise.reject(new Error('the canvas is gone'))
     this.asked += 1
     const id = this.asked
     return new Promise((resolve, reject) => {
@@ -80,6 +82,7 @@ class RemoteRenderer implements Renderer {
   }
 
   dispose(): void {
+    this.disposed = true
     this.send({ is: 'close' })
     this.answer(null)
   }
@@ -99,6 +102,8 @@ export class Renderers {
   private alone = false
   private probe: Promise<boolean> | undefined
   private probed: ((able: boolean) => void) | undefined
+  /** Of the letters. */
+  private address = ''
   private lettered: (() => void) | undefined
 
   /** `start` starts a thread. */
@@ -131,14 +136,19 @@ export class Renderers {
     return opened.renderer
   }
 
-  /** Gives the thread the letters at this address; resolves when it has them, or when there is no thread. */
+  /** Gives the thread the letters at this address; resolves when it has them; one that starts later gets them, too. */
   letters(address: string): Promise<void> {
-    const { worker } = this
-    if (!worker) return Promise.resolve()
+    this.address = address
+    if (!this.worker) return Promise.resolve()
     return new Promise((resolve) => {
       this.lettered = resolve
-      worker.postMessage({ is: 'letters', address, canvas: 0 } satisfies ToRenderer)
+      this.sendLetters()
     })
+  }
+
+  private sendLetters(): void {
+    const { address } = this
+    if (address) this.worker?.postMessage({ is: 'letters', address, canvas: 0 } satisfies ToRenderer)
   }
 
   /** Whether a thread can draw space. A canvas that was given away cannot be taken back: it is asked before. */
@@ -160,6 +170,7 @@ export class Renderers {
       this.alone = true
       return undefined
     }
+    this.sendLetters()
     this.worker.onmessage = ({ data }: MessageEvent<FromRenderer>) => this.receive(data)
     this.worker.onerror = (event) => {
       event.preventDefault()

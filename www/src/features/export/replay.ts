@@ -66,6 +66,7 @@ export class Replay {
 
   /** Goes to an iteration; the run may end before. Its picture is the renderer's then. */
   async at(iteration: number): Promise<Report> {
+    if (this.closed) throw new Error('closed')
     const arrived = new Promise<Report>((resolve, reject) => {
       this.arrived = { resolve, reject }
     })

@@ -23,6 +23,10 @@ export const figures = {
   seeds: (from: string, to: string) => `Seeds ${from} to ${to}.`,
   budget: (evaluations: string) => `${evaluations} evaluations each.`,
   boxes: 'Boxes: median and quartiles, whiskers to the farthest run within 1.5 quartile distances; a dot for each run.',
+  time: 'time / s',
+  least: 'least allowed',
+  most: 'most allowed',
+  share: 'share of runs',
   bands: 'Lines: medians; bands: quartiles.',
   record: {
     title: 'Recording',

@@ -1,7 +1,7 @@
 import type { Item, Point } from 'forage-lab'
 import { anchorsOf } from '../anchors'
 import type { Display, Filming, Footer, Ground, Looks, Renderer, RendererListeners } from '../display'
-import type { Encoder, FilmContext } from '../film/film'
+import type { Encoder, FilmContext } from '../film/encoder'
 import type { Frame } from '../frame'
 import type { Names } from '../looks'
 import { Palette } from '../palette'

@@ -1,20 +1,8 @@
 /* Recordings: picture after picture of one size, as one file. */
+import type { Encoder, FilmContext } from './encoder'
 
 /** What recordings are saved as. */
 export type FilmFormat = 'webm' | 'mp4' | 'gif'
-
-/** A kind of file that is written. */
-export interface Encoder {
-  /** The canvas as it is now, as the next picture. */
-  add(): Promise<void>
-  /** All pictures, as a file. */
-  end(): Promise<Blob>
-  /** Nobody wants it any more. */
-  cancel(): Promise<void>
-}
-
-/** What is drawn on before it is encoded. */
-export type FilmContext = OffscreenCanvasRenderingContext2D
 
 /** The sides of a picture are even: videos have no others. */
 export const even = (side: number): number => Math.max(2, 2 * Math.ceil(side / 2))

@@ -1,5 +1,5 @@
 import { applyPalette, GIFEncoder, quantize } from 'gifenc'
-import type { Encoder, FilmContext } from './film'
+import type { Encoder, FilmContext } from './encoder'
 
 /** Colours a picture has at most: one of 256 stands for what has not changed. */
 const COLOURS = 255

@@ -7,7 +7,7 @@ import {
   QUALITY_HIGH,
   WebMOutputFormat,
 } from 'mediabunny'
-import type { Encoder, FilmContext } from './film'
+import type { Encoder, FilmContext } from './encoder'
 
 /** A WebM or MP4, by the browser's own encoders. */
 export class Video implements Encoder {
