@@ -332,7 +332,7 @@ test('the charts over evaluations are read with the keyboard', async ({ lab, pag
     await page.keyboard.press('End')
     expect(await told('now')).toBe(await told('max'))
     await page.keyboard.press('Escape')
-    await expect(chart.locator('xpath=following-sibling::p[1]')).toHaveText(text.results.evaluations)
+    await expect(chart.locator('xpath=following-sibling::div[1]/p')).toHaveText(text.results.evaluations)
   }
 })
 

@@ -3,7 +3,7 @@ import { FAMILIES } from '../src/catalogue/families'
 import { STANDARD } from '../src/catalogue/standard'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, verified } from './support/core'
-import { en, expect, test } from './support/lab'
+import { en, expect, pick, test } from './support/lab'
 
 const PARTICLE = `${linkTo({ planner: 'pso', params: { population: 20 } }, 40)}&page.item=particles.17`
 
@@ -164,6 +164,30 @@ test('a presentation goes by keyboard and clicker alone', async ({ lab, page }) 
   await page.keyboard.press('p')
   await expect(page.getByTestId('lab')).toHaveAttribute('data-presenting', 'false')
   expect(verified(await lab.link(await lab.settled())).planner).toBe('pso')
+})
+
+test('bookmarks are in the link, on the timeline and under the digits of a presentation', async ({ lab, page }) => {
+  await lab.open(`${PARTICLE}&page.marks=10,90`)
+  await lab.settled(40)
+  await page.keyboard.press('m')
+  await expect(page.getByTestId('bookmark')).toHaveAttribute('aria-pressed', 'true')
+  await expect(page.getByTestId('bookmarks').getByRole('button')).toHaveText(['1', '2', '3'])
+  await page.getByRole('button', { name: en.transport.bookmark('1', '10') }).click()
+  await lab.settled(10)
+  await page.keyboard.press('p')
+  await expect(page.getByTestId('present-end')).toBeVisible()
+  await page.keyboard.press('2')
+  await lab.settled(40)
+  await page.keyboard.press('3')
+  await lab.settled(90)
+  await page.keyboard.press('4')
+  await page.keyboard.press('m')
+  await expect(page.getByTestId('bookmarks').getByRole('button')).toHaveText(['1', '2'])
+  await expect.poll(() => page.url()).toContain('page.marks=10,40')
+  await page.keyboard.press('Escape')
+  // Another planner has others.
+  await pick(page, 'planner', 'qpso')
+  await expect(page.getByTestId('bookmarks')).toHaveCount(0)
 })
 
 for (const scheme of ['light', 'dark'] as const) {

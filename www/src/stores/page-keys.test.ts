@@ -10,9 +10,12 @@ test('what is written is read', () => {
     camera: { center: [1.5, -2.25], zoom: 3.5 },
     layers: { velocities: true, particles: false },
     tab: 'setup',
+    marks: [3, 40],
   }
   const written = writePageKeys(keys)
-  expect(written).toBe('&page.item=personal-bests.12&page.camera=1.5,-2.25,3.5&page.layers=velocities,-particles&page.tab=setup')
+  expect(written).toBe(
+    '&page.item=personal-bests.12&page.camera=1.5,-2.25,3.5&page.layers=velocities,-particles&page.tab=setup&page.marks=3,40',
+  )
   expect(readPageKeys(`#v=1&planner=wcpso${written}`)).toEqual(keys)
   expect(writePageKeys(NO_KEYS)).toBe('')
   expect(readPageKeys('#v=1&planner=wcpso')).toEqual(NO_KEYS)

@@ -1,4 +1,5 @@
 import type { Item, Point, Point3 } from 'forage-lab'
+import { MOST_BOOKMARKS } from './bookmarks.svelte'
 import { type Tab, TABS } from './column.svelte'
 
 /* Keys of a link that say how the page shows the run. The core skips all that begin with `page.`. */
@@ -27,9 +28,11 @@ export interface PageKeys {
   layers: Readonly<Record<string, boolean>>
   /** What the column holds, where it is not what it holds first. */
   tab: Tab | null
+  /** Iterations to come back to. */
+  marks: readonly number[]
 }
 
-export const NO_KEYS: PageKeys = { item: null, camera: null, layers: {}, tab: null }
+export const NO_KEYS: PageKeys = { item: null, camera: null, layers: {}, tab: null, marks: [] }
 
 const PREFIX = 'page.'
 /** Of more no link is made. */
@@ -41,13 +44,14 @@ const DIGITS = 6
 const brief = (value: number): string => String(Number(value.toPrecision(DIGITS)))
 
 /** As they are added to a link. */
-export function writePageKeys({ item, camera, layers, tab }: PageKeys): string {
+export function writePageKeys({ item, camera, layers, tab, marks }: PageKeys): string {
   const entries: [string, string][] = []
   if (item) entries.push(['item', `${item.role}.${item.index}`])
   if (camera) entries.push(['camera', numbersOf(camera).map(brief).join()])
   const changed = Object.entries(layers)
   if (changed.length > 0) entries.push(['layers', changed.map(([role, on]) => (on ? role : `-${role}`)).join()])
   if (tab) entries.push(['tab', tab])
+  if (marks.length > 0) entries.push(['marks', marks.join()])
   return entries.map(([key, value]) => `&${PREFIX}${key}=${value}`).join('')
 }
 
@@ -59,7 +63,13 @@ export function readPageKeys(link: string): PageKeys {
   const pairs = link.split('&').map((pair) => pair.split('=') as [string, string?])
   const read = (key: string): string => decoded(pairs.find(([name]) => name === PREFIX + key)?.[1] ?? '')
   const tab = TABS.find((known) => known === read('tab')) ?? null
-  return { item: itemOf(read('item')), camera: cameraOf(read('camera')), layers: layersOf(read('layers')), tab }
+  return {
+    item: itemOf(read('item')),
+    camera: cameraOf(read('camera')),
+    layers: layersOf(read('layers')),
+    tab,
+    marks: marksOf(read('marks')),
+  }
 }
 
 function decoded(value: string): string {
@@ -74,6 +84,13 @@ function itemOf(value: string): Item | null {
   const [, role = '', digits = ''] = /^(.+)\.(\d{1,15})$/.exec(value) ?? []
   return NAME.test(role) ? ({ role, index: Number(digits) } as Item) : null
 }
+
+const marksOf = (value: string): number[] =>
+  value
+    .split(',')
+    .slice(0, MOST_BOOKMARKS)
+    .filter((part) => /^\d{1,7}$/.test(part))
+    .map(Number)
 
 function cameraOf(value: string): Camera | null {
   const numbers = value.split(',').map((part) => (part === '' ? Number.NaN : Number(part)))

@@ -1,3 +1,4 @@
+import { BookmarksStore } from './bookmarks.svelte'
 import type { UncheckedSetup } from 'forage-lab'
 import { stageAt } from '../catalogue/stages'
 import type { Opening, Progress, Report, Target } from '../engine/protocol'
@@ -10,6 +11,8 @@ import type { Subject } from './subjects'
 
 /** Where the run is and where the user wants it. The engine converges to the newest. */
 export class PlaybackStore {
+  /** Iterations to come back to. */
+  readonly bookmarks = new BookmarksStore()
   iteration = $state(0)
   playing = $state(false)
   /** Where a seek, or a new run, is on its way to. */

@@ -81,7 +81,8 @@ export class Starts {
     this.restart({ at: iteration, play: false }, request)
   }
 
-  private applyPageKeys({ item, camera, layers, tab }: PageKeys): void {
+  private applyPageKeys({ item, camera, layers, tab, marks }: PageKeys): void {
+    this.stores.playback.bookmarks.open(marks)
     if (tab) this.stores.column.show(tab)
     this.stores.layers.chosen = { ...this.stores.layers.chosen, ...layers }
     this.stores.picture.wantedCamera = camera

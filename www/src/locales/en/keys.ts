@@ -11,6 +11,7 @@ const everywhere: KeyGroup = {
   rows: [
     [['?'], 'shows these keys'],
     [['P'], 'presents: the stage fills the screen'],
+    [['M'], 'sets a bookmark at this iteration, or removes it'],
     [['Ctrl', 'Z'], 'undoes an edit'],
     [['Ctrl', 'Shift', 'Z'], 'does it again'],
   ],
@@ -69,7 +70,7 @@ const presenting: KeyGroup = {
   title: 'While presenting',
   rows: [
     [['Page down', 'Page up'], 'go an iteration on and back, as clickers do'],
-    [['1', '9'], 'go to the first tenth of the run, to the ninth'],
+    [['1', '9'], 'go to the bookmarks; without any, to the tenths of the run'],
     [['B'], 'blanks the screen'],
     [['Q'], 'shows the link as a QR code'],
     [['Escape'], 'leaves'],

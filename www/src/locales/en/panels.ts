@@ -43,6 +43,7 @@ export const panels = {
     logHint: 'A logarithmic scale needs positive values.',
     iteration: 'iteration',
     exact: 'exact optimum',
+    smoothed: 'result, smoothed',
     before: 'before the change',
     empty: 'The curve appears with the first iteration.',
     nothing: 'Nothing to draw yet: the curve begins with the first result.',
