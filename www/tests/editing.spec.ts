@@ -2,7 +2,7 @@ import type { DiscsScene, Point, Scene } from '../../pkg/node.js'
 import { forks } from '../src/locales/en/forks'
 import { panels } from '../src/locales/en/panels'
 import { number } from '../src/text/number'
-import { hashOf, linkTo, outcomeOf, sceneOf, verified } from './support/core'
+import { hashOf, linkTo, outcomeOf, sceneOf, trialOf, verified } from './support/core'
 import { en, expect, HASH, type Lab, test, pick } from './support/lab'
 
 function discs(scene: Scene): DiscsScene {
@@ -146,4 +146,35 @@ test('a changed parameter keeps the run before it as a ghost; both open in Compa
   await page.getByTestId('fork-dismiss').click()
   await expect(fork).toHaveCount(0)
   await expect.poll(async () => (await lab.wholePicture()).digest).toBe(whole.digest)
+})
+
+test('an edited scene and what it was open side by side in Compare: each planner on its own, also after a reload', async ({
+  lab,
+  page,
+}) => {
+  await lab.open(linkTo({}, 20))
+  await lab.settled(20)
+  const from = await lab.whereIs(shipped, center(2))
+  await lab.dragFrom(from, 30, 20)
+  await lab.restarted()
+  const { scene: edited } = verified(await lab.link(await lab.settled(20)))
+  await page.getByTestId('fork-compare').click()
+  const cards = page.getByTestId('entrant')
+  await expect(cards).toHaveCount(2)
+  await expect(page.getByTestId('entrant-before')).toHaveCount(1)
+  await expect(cards.first().getByTestId('entrant-before')).toBeVisible()
+  const titles = page.getByTestId('lane')
+  await expect(titles).toHaveCount(2)
+  // Both have run on their own scene: what the core finds there.
+  await expect(page).toHaveURL(/with=wcpso;@=wcpso-discs,wcpso/)
+  const values = async (): Promise<string[]> => page.getByTestId('lane-best').allTextContents()
+  await page.getByTestId('race-end').click()
+  await expect(page.getByTestId('race')).toHaveAttribute('data-over', 'true', { timeout: 30_000 })
+  const own = trialOf({ planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }).record.value
+  const other = trialOf({ planner: 'wcpso', scene: edited, seed: 1 }).record.value
+  expect(own).not.toBe(other)
+  expect(await values()).toEqual([own, other].map((value) => number(value, 6)))
+  await page.reload()
+  await expect(page.getByTestId('entrant-before')).toHaveCount(1)
+  await expect(page.getByTestId('lane')).toHaveCount(2)
 })

@@ -4,6 +4,8 @@ import type { ParameterValue, Scene } from 'forage-lab'
 export interface Contender {
   planner: string
   params: Record<string, ParameterValue>
+  /** Its own, instead of the common one. */
+  scene?: Scene
 }
 
 /** How a comparison is looked at: side by side, or by many runs. */

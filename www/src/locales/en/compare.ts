@@ -38,6 +38,7 @@ export const compare = {
   },
   entrants: {
     title: 'Planners',
+    before: 'before the edit',
     add: 'Add a planner',
     choose: 'Planner to add',
     full: 'Eight is the most.',

@@ -4,6 +4,6 @@ export const forks = {
   before: (value: string, iteration: string) => `before the change: ${value}, iteration ${iteration}`,
   undo: 'Undo',
   compare: 'Open both in Compare',
-  otherScene: 'They are on different scenes.',
+  otherScene: 'Their scenes are of different kinds.',
   dismiss: 'Hide the run before',
 } as const

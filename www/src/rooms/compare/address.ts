@@ -8,6 +8,8 @@ import { sameScene } from '../../scene/equality'
 interface Contender {
   planner: string
   params: Readonly<Record<string, ParameterValue>>
+  /** Its own scene, as links have it. */
+  scene?: string | null | undefined
 }
 
 /** Letters that part keys, planners and parameters stay what they are. */
@@ -16,10 +18,17 @@ const plain = (text: string): string => encodeURIComponent(text)
 /** Of more planners nobody makes an address. */
 const MOST = 16
 
+/** No parameter is called so. */
+const OWN = '@'
+
 export const contendersText = (contenders: readonly Contender[]): string =>
   contenders
-    .map(({ planner, params }) =>
-      [planner, ...Object.entries(params).map(([name, value]) => `${plain(name)}=${plain(String(value))}`)].join(';'),
+    .map(({ planner, params, scene }) =>
+      [
+        planner,
+        ...(scene ? [`${OWN}=${scene}`] : []),
+        ...Object.entries(params).map(([name, value]) => `${plain(name)}=${plain(String(value))}`),
+      ].join(';'),
     )
     .join()
 
@@ -44,7 +53,7 @@ export const contendersOf = (text: string): { planner: string; pairs: [string, s
 /** What an address names: those that the core takes, and what it says of the others. */
 export interface Named {
   scene: Scene
-  contenders: { planner: string; params: Record<string, ParameterValue> }[]
+  contenders: { planner: string; params: Record<string, ParameterValue>; scene?: Scene }[]
   refused: string[]
 }
 
@@ -52,15 +61,23 @@ export interface Named {
 export async function named(api: Pick<Questions, 'parseLink'>, scene: string, contenders: string): Promise<Named | { refused: string[] }> {
   const answers = await Promise.all(
     contendersOf(contenders).map(async ({ planner, pairs }) => {
-      const params = pairs.map(([name, value]) => `&p.${plain(decoded(name))}=${decoded(value)}`).join('')
-      return api.parseLink(await restored(`#v=1&planner=${planner}&scene=${scene}&seed=1${params}&at=0`))
+      const own = pairs.find(([name]) => name === OWN)?.[1]
+      const others = pairs.filter(([name]) => name !== OWN)
+      const params = others.map(([name, value]) => `&p.${plain(decoded(name))}=${decoded(value)}`).join('')
+      const answer = await api.parseLink(await restored(`#v=1&planner=${planner}&scene=${own ?? scene}&seed=1${params}&at=0`))
+      return { answer, own: own !== undefined }
     }),
   )
-  const taken = answers.flatMap((answer): LinkSetup[] => (answer.ok ? [answer.value] : []))
-  const refused = [...new Set(answers.flatMap((answer) => (answer.ok ? [] : [answer.refusal.message])))]
-  const [first] = taken
+  const taken = answers.flatMap(({ answer, own }): (LinkSetup & { own: boolean })[] => (answer.ok ? [{ ...answer.value, own }] : []))
+  const refused = [...new Set(answers.flatMap(({ answer }) => (answer.ok ? [] : [answer.refusal.message])))]
+  const first = taken.find(({ own }) => !own) ?? taken[0]
   if (!first) return { refused }
-  return { scene: first.scene, contenders: taken.map(({ planner, params }) => ({ planner, params })), refused }
+  const list = taken.map(({ planner, params, scene: on, own }) => ({
+    planner,
+    params,
+    ...(own && on !== first.scene && { scene: on }),
+  }))
+  return { scene: first.scene, contenders: list, refused }
 }
 
 /** A value as it is meant; as it is written where that makes no sense. */

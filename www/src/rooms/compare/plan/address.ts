@@ -6,12 +6,19 @@ import { type Budget, COUNT, MOST_BUDGET, MOST_ENTRANTS, type Plan } from './pla
 
 const MOST_LIMIT = 1_000_000
 
-/** A plan as keys of an address; null where its scene neither ships nor was packed by the core. */
-export function planKeys({ scene, maps, entrants, from, count, budget }: Plan, catalogue: Catalogue, packed: string | null): string | null {
-  const text = maps ? contendersText([{ planner: maps.generator, params: maps.params }]) : (shippedText(catalogue, scene) ?? packed)
+/** A plan as keys of an address; null where one of its scenes neither ships nor was packed by the core. */
+export function planKeys(
+  { scene, maps, entrants, from, count, budget }: Plan,
+  catalogue: Catalogue,
+  packed: (scene: Scene) => string | null,
+): string | null {
+  const textOf = (one: Scene): string | null => shippedText(catalogue, one) ?? packed(one)
+  const text = maps ? contendersText([{ planner: maps.generator, params: maps.params }]) : textOf(scene)
   if (text === null) return null
+  const contenders = entrants.map(({ planner, params, scene: own }) => ({ planner, params, scene: own && textOf(own) }))
+  if (contenders.some(({ scene: own }) => own === null)) return null
   const evaluations = budget === 'first' ? '' : `&budget=${budget}`
-  return `&${maps ? 'maps' : 'scene'}=${text}&seeds=${from}-${from + count - 1}${evaluations}&with=${contendersText(entrants)}`
+  return `&${maps ? 'maps' : 'scene'}=${text}&seeds=${from}-${from + count - 1}${evaluations}&with=${contendersText(contenders)}`
 }
 
 /** A generator's parameters are numbers, switches and choices. */
@@ -48,9 +55,12 @@ export async function planOf(
   const plan: Plan = {
     scene: made?.scene ?? found.scene,
     maps: made?.scene ? made.maps : null,
-    entrants: found.contenders
-      .slice(0, MOST_ENTRANTS)
-      .map(({ planner, params }, slot) => ({ planner, params: { ...(limit !== null && { iterations: limit }), ...params }, slot })),
+    entrants: found.contenders.slice(0, MOST_ENTRANTS).map(({ planner, params, scene: own }, slot) => ({
+      planner,
+      params: { ...(limit !== null && { iterations: limit }), ...params },
+      slot,
+      ...(own && { scene: own }),
+    })),
     from,
     count: to === null ? COUNT.standard : to - from + 1,
     budget: budgetOf(keys.get('budget')),

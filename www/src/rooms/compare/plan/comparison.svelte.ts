@@ -11,7 +11,7 @@ import { SIGHTS } from '../../../stores/proposed.svelte'
 import { sceneIn } from '../address'
 import { StatisticsWorker } from '../statistics/statistics-worker'
 import { planKeys, planOf } from './address'
-import { applicable, type Budget, COUNT, type Entrant, freeSlot, MOST_ENTRANTS, type Plan } from './plan'
+import { applicable, type Budget, COUNT, type Entrant, freeSlot, MOST_ENTRANTS, type Plan, planFor } from './plan'
 import { offered, type Preset } from './presets'
 import { remember, remembered } from './remembered'
 import { Spendings } from './spendings.svelte'
@@ -162,7 +162,7 @@ export class Comparison {
 
   private enter(plan: { entrants: Preset['entrants']; from: number; count: number; budget: Budget }): void {
     this.notice = ''
-    this.entrants = plan.entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
+    this.entrants = plan.entrants.map(({ planner, params = {}, scene }, slot) => ({ slot, planner, params, ...(scene && { scene }) }))
     this.requests.note(...this.entrants.map(({ slot }) => `${slot}`))
     this.from = plan.from
     this.count = plan.count
@@ -203,17 +203,20 @@ export class Comparison {
   readonly keys = $derived.by<string | null>(() => {
     const { plan, packed } = this
     const { catalogue } = this.lab.setup
-    return plan && catalogue && planKeys(plan, catalogue, packed?.scene === plan.scene ? packed.text : null)
+    return plan && catalogue && planKeys(plan, catalogue, (scene) => packed.find((known) => known.scene === scene)?.text ?? null)
   })
-  private packed = $state.raw<{ scene: Scene; text: string } | null>(null)
+  private packed = $state.raw<readonly { scene: Scene; text: string }[]>([])
 
-  /** Has the core pack a scene that does not ship: it is the lab's, or a run on it has a link. */
-  packScene = async (link: () => Promise<string | undefined>): Promise<void> => {
-    const { scene } = this
-    if (!scene || this.packed?.scene === scene) return
-    const answer = this.lab.scene.present === scene ? await this.lab.api.link() : null
-    const found = sceneIn((answer?.ok && answer.value) || ((await link()) ?? ''))
-    if (found) this.packed = { scene, text: found }
+  /** Has the core pack scenes that do not ship: one is the lab's, or a run on it has a link. */
+  packScenes = async (link: (scene: Scene) => Promise<string | undefined>): Promise<void> => {
+    const { scene: common, entrants, packed } = this
+    const scenes = [common, ...entrants.map(({ scene }) => scene)]
+    for (const scene of scenes) {
+      if (!scene || packed.some((known) => known.scene === scene)) continue
+      const answer = this.lab.scene.present === scene ? await this.lab.api.link() : null
+      const text = sceneIn((answer?.ok && answer.value) || ((await link(scene)) ?? ''))
+      if (text) this.packed = [...this.packed.filter((known) => scenes.includes(known.scene)), { scene, text }]
+    }
   }
 
   // What is changed
@@ -223,6 +226,7 @@ export class Comparison {
     if (!this.maps && sameScene(scene, this.scene)) return
     this.scene = scene
     this.maps = null
+    this.join()
     this.notice = ''
     // Where none of them runs, others come; those wait for a scene on which they do.
     if (this.entrants.length > 0 && this.runnable.length === 0) {
@@ -232,6 +236,11 @@ export class Comparison {
       if (room > 0) this.notice = text.joined(scene.title)
     }
     this.changed()
+  }
+
+  /** All run on the same scene. */
+  private join(): void {
+    this.entrants = this.entrants.map(({ scene: _own, ...entrant }) => entrant)
   }
 
   /** Others do it. */
@@ -250,6 +259,7 @@ export class Comparison {
       if (!made.scene) return made.refused ?? null
       this.scene = made.scene
       this.maps = maps
+      this.join()
       if (plan) this.enter(plan)
       else this.changed()
     } catch (error) {
@@ -324,9 +334,10 @@ export class Comparison {
     const planner = plan && entrant && this.lab.setup.catalogue?.planners.find((candidate) => candidate.name === entrant.planner)
     if (!plan || !entrant || !planner) return ''
     const request = this.requests.note()
-    const params = applicable(planner, plan.scene, { ...entrant.params, [name]: value })
+    const { scene } = planFor(entrant, plan)
+    const params = applicable(planner, scene, { ...entrant.params, [name]: value })
     try {
-      const refusal = await this.worker.check({ planner: planner.name, scene: plan.scene, params, seed: 1 })
+      const refusal = await this.worker.check({ planner: planner.name, scene, params, seed: 1 })
       if (this.requests.replaced(request, `${slot} ${name}`, `${slot}`)) return ''
       if (refusal?.field === name) return refusal.message
     } catch (error) {

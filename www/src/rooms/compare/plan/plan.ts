@@ -1,5 +1,6 @@
 import type { Generator, ParameterValue, Planner, Scene } from 'forage-lab'
 import { applies, standardOn } from '../../../catalogue/parameters'
+import { compare as text } from '../../../locales/en/compare'
 import { canRun } from '../../../catalogue/suitability'
 import type { Maps, Values } from '../../../engine/trial.protocol'
 
@@ -10,7 +11,12 @@ export interface Entrant {
   planner: string
   /** What differs from the defaults. */
   params: Values
+  /** It runs here instead of on the plan's scene: where that was edited, on what it was. */
+  scene?: Scene | undefined
 }
+
+/** The plan as an entrant has it: on its own scene, if it has one. */
+export const planFor = ({ scene }: Entrant, plan: Plan): Plan => (scene ? { ...plan, scene, maps: null } : plan)
 
 /** What is run: every entrant with every seed. */
 export interface Plan {
@@ -115,7 +121,7 @@ export function labels(plan: Plan, planners: readonly Planner[]): string[] {
       const value = valueIn(entrant, at)
       return alike.some((other) => valueIn(other, at) !== value) ? [`${name} = ${told(value)}`] : []
     })
-    return [shortTitle(planner), ...differing].join(', ')
+    return [shortTitle(planner), ...differing, ...(entrant.scene ? [text.entrants.before] : [])].join(', ')
   })
 }
 

@@ -1,11 +1,11 @@
-import type { Catalogue } from 'forage-lab'
+import type { Catalogue, Scene } from 'forage-lab'
 import type { Maps, Values } from '../../../engine/trial.protocol'
 import type { Budget } from './plan'
 
 /** A comparison that is worth making. Its words are in compare.ts, by its name. */
 export type Preset = {
   name: keyof typeof import('../../../locales/en/compare').compare.presets.all
-  entrants: readonly { planner: string; params?: Values }[]
+  entrants: readonly { planner: string; params?: Values; scene?: Scene | undefined }[]
   /** Seeds that are over in about a minute. */
   count: number
   /** Ticks a second at which it can be followed. */

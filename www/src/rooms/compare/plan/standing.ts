@@ -1,7 +1,7 @@
-import type { Catalogue, Planner, UncheckedSetup } from 'forage-lab'
+import type { Catalogue, Planner, Scene, UncheckedSetup } from 'forage-lab'
 import { compare as text } from '../../../locales/en/compare'
-import type { Values } from '../../../engine/trial.protocol'
-import { allOf, type Entrant, groundOf, iterationsFor, keyOf, labels, paramsOf, type Plan, runnerOf, type Spending } from './plan'
+import type { Maps, Values } from '../../../engine/trial.protocol'
+import { allOf, type Entrant, groundOf, iterationsFor, keyOf, labels, paramsOf, type Plan, planFor, runnerOf, type Spending } from './plan'
 
 /** An entrant as it stands in the plan. */
 export interface Standing {
@@ -9,6 +9,9 @@ export interface Standing {
   label: string
   /** Absent where it doesn't run on the scene, or is there for something else. */
   planner: Planner | undefined
+  /** Where it runs. */
+  scene: Scene
+  maps: Maps | null
   /** With which it runs, as far as they differ from the defaults. */
   params: Values
   key: string
@@ -38,7 +41,8 @@ interface Given {
   refusals: Readonly<Record<string, string>>
 }
 
-function askedFor(entrant: Entrant, plan: Plan, planner: Planner): Asked {
+function askedFor(entrant: Entrant, all: Plan, planner: Planner): Asked {
+  const plan = planFor(entrant, all)
   const params = paramsOf(planner, entrant, plan, null)
   return { key: keyOf(planner, params, plan, null), setup: { planner: planner.name, scene: plan.scene, params, seed: plan.from } }
 }
@@ -48,7 +52,7 @@ export function allowanceOf(plan: Plan, suitable: readonly Planner[], spendings:
   if (typeof plan.budget === 'number') return plan.budget
   if (plan.budget === 'own') return null
   for (const entrant of plan.entrants) {
-    const planner = runnerOf(entrant, plan.scene, suitable)
+    const planner = runnerOf(entrant, planFor(entrant, plan).scene, suitable)
     const { key } = planner ? askedFor(entrant, plan, planner) : {}
     if (key === undefined || spendings.refusalOf(key) !== undefined) continue
     const spending = spendings.of(key)
@@ -58,19 +62,21 @@ export function allowanceOf(plan: Plan, suitable: readonly Planner[], spendings:
 }
 
 export function standingsOf(
-  plan: Plan,
+  all: Plan,
   { planners, generators }: Catalogue,
   { suitable, allowance, spendings, refusals }: Given,
 ): Standing[] {
-  const names = labels(plan, planners)
+  const names = labels(all, planners)
   const met = new Set<string>()
-  return plan.entrants.map((entrant, at): Standing => {
+  return all.entrants.map((entrant, at): Standing => {
+    const plan = planFor(entrant, all)
+    const { scene, maps } = plan
     const label = names[at] ?? entrant.planner
     const planner = runnerOf(entrant, plan.scene, suitable)
     if (!planner) {
       const runs = runnerOf(entrant, plan.scene, planners) !== undefined
       const trouble = runs ? text.entrants.otherTask : text.entrants.unsuited(groundOf(plan, generators))
-      return { entrant, label, planner, params: {}, key: '', trouble, ready: false, spending: null }
+      return { entrant, label, planner, scene, maps, params: {}, key: '', trouble, ready: false, spending: null }
     }
     const spending = askedFor(entrant, plan, planner)
     const known = spendings.of(spending.key)
@@ -80,6 +86,6 @@ export function standingsOf(
     const key = keyOf(planner, params, plan, allowance ?? null)
     const trouble = met.has(key) ? text.entrants.double : (spendings.refusalOf(spending.key) ?? refusals[key] ?? '')
     met.add(key)
-    return { entrant, label, planner, params, key, trouble, ready, spending }
+    return { entrant, label, planner, scene, maps, params, key, trouble, ready, spending }
   })
 }

@@ -1,3 +1,4 @@
+import type { Scene } from 'forage-lab'
 import { batch as text } from '../../../locales/en/batch'
 import { perLab } from '../../../stores/context.svelte'
 import type { Lab } from '../../../stores/lab.svelte'
@@ -61,7 +62,9 @@ export class Batch {
   })
 
   /** The link of a run of the plan, if there is one. */
-  link = (): string | undefined => this.comparison.active.flatMap(({ key }) => [...(this.rows.of(key)?.values() ?? [])])[0]?.link
+  link = (scene: Scene): string | undefined =>
+    this.comparison.active.filter((standing) => standing.scene === scene).flatMap(({ key }) => [...(this.rows.of(key)?.values() ?? [])])[0]
+      ?.link
 
   /** The rows that still apply stay; while it runs, what is missing is run next. */
   private changed(): void {
@@ -105,15 +108,15 @@ export class Batch {
     const { plan, active, allowance } = this.comparison
     if (!plan) return null
     while (this.cursor < active.length * plan.count) {
-      const { planner, params, key } = active[this.cursor % active.length] ?? {}
+      const { planner, params, key, scene, maps } = active[this.cursor % active.length] ?? {}
       const seed = plan.from + Math.floor(this.cursor / active.length)
       this.cursor += 1
       const id = `${key} ${seed}`
-      if (!planner || key === undefined || this.rows.of(key)?.has(seed) || this.begun.has(id)) continue
+      if (!planner || !scene || key === undefined || this.rows.of(key)?.has(seed) || this.begun.has(id)) continue
       this.begun.add(id)
       this.names.set(key, this.nameOf(key))
-      const setup = { planner: planner.name, scene: plan.scene, params: params ?? {}, seed }
-      return { key, seed, setup, maps: plan.maps, budget: allowance }
+      const setup = { planner: planner.name, scene, params: params ?? {}, seed }
+      return { key, seed, setup, maps: maps ?? null, budget: allowance }
     }
     return null
   }
@@ -137,9 +140,9 @@ export class Batch {
 
   /** What the rows of a key have in common, whatever page they were computed in: the core, planner, ground and parameters. */
   private nameOf(key: string): string {
-    const { plan, standings, allowance } = this.comparison
-    const { planner, params } = standings.find((candidate) => candidate.key === key) ?? {}
-    const common = [CORE_VERSION, planner?.name, plan?.maps ?? plan?.scene, params]
+    const { standings, allowance } = this.comparison
+    const { planner, params, scene, maps } = standings.find((candidate) => candidate.key === key) ?? {}
+    const common = [CORE_VERSION, planner?.name, maps ?? scene, params]
     return JSON.stringify(allowance === null ? common : [...common, allowance])
   }
 

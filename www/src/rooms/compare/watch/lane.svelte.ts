@@ -4,6 +4,7 @@ import type { Refusal, Report, Run } from '../../../engine/protocol'
 import { RunClient } from '../../../engine/run-client'
 import { en } from '../../../locales/en/page'
 import { type Names, namesOf } from '../../../render/looks'
+import { sameScene } from '../../../scene/equality'
 import { Outlet } from '../../../render/outlet'
 import type { FieldRequest, Viewport } from '../../../render/frame'
 import { markAt } from './standings'
@@ -29,6 +30,7 @@ export class Lane {
   planner = $state('')
   /** With which it runs, as far as they differ from the defaults. */
   params = $state.raw<Values>({})
+  scene = $state.raw<Scene | null>(null)
   /** What it is called. */
   label = $state('')
   /** Why it doesn't run here at all. */
@@ -89,20 +91,23 @@ export class Lane {
   ) {}
 
   /** Takes a planner with its parameters; false if it runs with them already. */
-  asks(planner: string, params: Values): boolean {
-    const same = planner === this.planner && JSON.stringify(params) === JSON.stringify(this.params) && this.open
+  asks(planner: string, params: Values, scene: Scene): boolean {
+    const same =
+      planner === this.planner && JSON.stringify(params) === JSON.stringify(this.params) && sameScene(scene, this.scene) && this.open
     this.planner = planner
     this.params = params
+    this.scene = scene
     return !same
   }
 
   /** The run begins again; of several starts the newest counts, the others are false. */
-  start(scene: Scene, seed: number): Promise<boolean> {
+  start(seed: number): Promise<boolean> {
     this.crash = ''
     this.refusal = ''
     this.onstarted?.(false)
     this.arrive(null)
-    const { planner, params } = this
+    const { planner, params, scene } = this
+    if (!scene) return Promise.resolve(false)
     this.client.want({ start: { setup: { planner, scene, params, seed }, at: 0, play: false }, summary: false })
     if (!this.open) {
       this.open = true

@@ -45,11 +45,11 @@ export class Race extends Times {
     this.seed = from
     const kept = new Map(this.lanes.map((lane) => [lane.slot, lane]))
     const fresh: Lane[] = []
-    this.lanes = active.map(({ entrant, params, label }) => {
+    this.lanes = active.map(({ entrant, params, label, scene: own }) => {
       const lane = kept.get(entrant.slot) ?? new Lane(this.lab.setup, entrant.slot)
       kept.delete(entrant.slot)
       lane.label = label
-      if (lane.asks(entrant.planner, params)) fresh.push(lane)
+      if (lane.asks(entrant.planner, params, own)) fresh.push(lane)
       return lane
     })
     for (const lane of kept.values()) lane.dismiss()
@@ -66,9 +66,8 @@ export class Race extends Times {
 
   /** One begins again and goes where the others are. */
   enter = async (lane: Lane): Promise<void> => {
-    const { scene, seed, turns } = this
-    if (!scene) return
-    const begun = await lane.start(scene, seed)
+    const { seed, turns } = this
+    const begun = await lane.start(seed)
     if (begun && turns === this.turns) this.gather()
   }
 
@@ -80,7 +79,7 @@ export class Race extends Times {
     this.stop()
     if (!scene) return
     this.starting = true
-    await Promise.all(this.lanes.map((lane) => lane.start(scene, seed)))
+    await Promise.all(this.lanes.map((lane) => lane.start(seed)))
     if (turn !== this.turns) return
     this.starting = false
     this.started += 1
@@ -91,9 +90,9 @@ export class Race extends Times {
     if (play) this.play()
   }
 
-  /** The link of a run that is here. */
-  link = async (): Promise<string | undefined> => {
-    const found = await this.racing[0]?.link()
+  /** The link of a run on this scene. */
+  link = async (scene: Scene): Promise<string | undefined> => {
+    const found = await this.racing.find((lane) => lane.scene === scene)?.link()
     return found?.ok ? found.value : undefined
   }
 
