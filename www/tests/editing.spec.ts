@@ -178,3 +178,19 @@ test('an edited scene and what it was open side by side in Compare: each planner
   await expect(page.getByTestId('entrant-before')).toHaveCount(1)
   await expect(page.getByTestId('lane')).toHaveCount(2)
 })
+
+test('in space the run before a change stays as a ghost, too', async ({ lab, page }) => {
+  const setup = { planner: 'rrt-guided', scene: 'arm-cuboid', seed: 1 }
+  await lab.open(linkTo(setup, 74))
+  await lab.settled(74)
+  expect(outcomeOf(setup, 74).tip_path?.length).toBeGreaterThan(2)
+  const step = (await lab.section('parameters')).locator('[data-parameter="step_size"] input.typed')
+  await step.fill('0.045')
+  await step.press('Enter')
+  await lab.restarted()
+  await lab.settled()
+  await expect(page.getByTestId('fork')).toContainText(number(outcomeOf(setup, 74).length, 6))
+  const { digest } = await lab.picture()
+  await page.getByTestId('fork-dismiss').click()
+  await expect.poll(async () => (await lab.picture()).digest).not.toBe(digest)
+})

@@ -1,4 +1,5 @@
-import type { Point, UncheckedSetup } from 'forage-lab'
+import type { Scene, UncheckedSetup } from 'forage-lab'
+import type { Flat } from '../render/view'
 import { sameScene } from '../scene/equality'
 import { type History, historyOf } from './curve'
 import type { PlaybackStore } from './playback.svelte'
@@ -7,7 +8,8 @@ import type { RunStore } from './run.svelte'
 /** What a run had shown when it was left. */
 export interface Ghost {
   curve: History
-  path: readonly Point[] | null
+  /** In space, the tip's. */
+  path: readonly Flat[] | null
   /** The length of the result, or what it cost. */
   value: number | null
 }
@@ -69,6 +71,13 @@ export class ExperimentsStore {
     this.shown = compares && left.ghost ? left : null
   }
 
+  /** The result of the run that the present one is compared with, where it is of the same place. */
+  ghostOn(scene: Scene | null): readonly Flat[] | null {
+    const before = this.shown?.setup.scene
+    const same = typeof before === 'object' && before.kind === scene?.kind && before.name === scene.name
+    return same ? (this.shown?.ghost?.path ?? null) : null
+  }
+
   dismiss = (): void => {
     this.shown = null
   }
@@ -96,7 +105,7 @@ export class ExperimentsStore {
     const ghost = !stale &&
       iteration > 0 && {
         curve: historyOf(run.course.curve),
-        path: outcome?.path ?? null,
+        path: outcome?.tip_path ?? outcome?.path ?? null,
         value: outcome?.length ?? outcome?.cost ?? null,
       }
     return { setup: current, iteration: playback.restarting ? playback.requested.at : iteration, ghost: ghost || null }
