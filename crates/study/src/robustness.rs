@@ -106,10 +106,31 @@ impl Job for Task {
     }
 }
 
+/// The order in which the rows are published, whatever the registry's is. Planners that come later follow.
+const ORDER: &[&str] = &[
+    "wcpso",
+    "pso",
+    "wpso",
+    "cpso",
+    "ltqpso",
+    "qpso",
+    "bat-continuous",
+    "cuckoo-search",
+    "pso-rrt",
+    "aco-wolf",
+    "aco-direction",
+    "aco-dijkstra",
+    "aco",
+];
+
 /// The planners that look for one path on a grid. Those that drive along paths or tune other planners do other work.
 fn planners() -> impl Iterator<Item = &'static Entry> {
     let finds_a_path = |entry: &&Entry| !entry.stops && !["dynamic", "tuning"].contains(&entry.family);
-    standard().planners().iter().copied().filter(|entry| entry.kinds.contains(&GRID)).filter(finds_a_path)
+    let mut found: Vec<_> =
+        standard().planners().iter().copied().filter(|entry| entry.kinds.contains(&GRID)).filter(finds_a_path).collect();
+    // The sort is stable.
+    found.sort_by_key(|entry| ORDER.iter().position(|name| *name == entry.name).unwrap_or(ORDER.len()));
+    found.into_iter()
 }
 
 fn settings(side: u32) -> Overrides {
