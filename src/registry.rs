@@ -18,17 +18,17 @@ const KINDS: &[&SceneKind] = &[&discs::KIND, &grid::KIND, &tours::KIND, &arm::KI
 
 /// Particle swarms and quantum swarms.
 pub const SWARMS: &[&Entry] =
-    &[&swarm::wcpso::ENTRY, &swarm::pso::ENTRY, &swarm::wpso::ENTRY, &swarm::cpso::ENTRY, &swarm::ltqpso::ENTRY, &swarm::qpso::ENTRY];
+    &[&swarm::pso::ENTRY, &swarm::wpso::ENTRY, &swarm::cpso::ENTRY, &swarm::wcpso::ENTRY, &swarm::qpso::ENTRY, &swarm::ltqpso::ENTRY];
 
 /// What searches on maps: other swarms, ants, and searches of cells.
 pub const SEARCHES: &[&Entry] = &[
     &swarm::bat_continuous::ENTRY,
     &swarm::cuckoo_search::ENTRY,
     &swarm::pso_rrt::ENTRY,
-    &ants::aco_wolf::ENTRY,
+    &ants::aco::ENTRY,
     &ants::aco_direction::ENTRY,
     &ants::aco_dijkstra::ENTRY,
-    &ants::aco::ENTRY,
+    &ants::aco_wolf::ENTRY,
     &search::a_star::ENTRY,
     &search::dijkstra::ENTRY,
     &search::theta_star::ENTRY,
@@ -47,7 +47,7 @@ pub const TOURS: &[&Entry] = &[
 
 /// Random trees.
 pub const TREES: &[&Entry] =
-    &[&tree::rrt_guided::ENTRY, &tree::rrt::ENTRY, &tree::rrt_connect::ENTRY, &tree::rrt_star::ENTRY, &tree::rrt_joint::ENTRY];
+    &[&tree::rrt::ENTRY, &tree::rrt_guided::ENTRY, &tree::rrt_connect::ENTRY, &tree::rrt_star::ENTRY, &tree::rrt_joint::ENTRY];
 
 /// Drives among moving obstacles, and the tuning of other planners.
 pub const DRIVES: &[&Entry] =

@@ -24,7 +24,7 @@ fn the_overview_has_one_aligned_line_per_name() {
             assert!(lines[0].chars().nth(20) == Some(' ') && lines[0].chars().nth(21) != Some(' '), "{}", lines[0]);
         }
         assert!(overview.lines().all(|line| line.chars().count() <= most), "{columns}: {overview}");
-        assert!(overview.contains("Planners: particle swarms\n  wcpso ") && overview.contains("Scenes: grids\n"), "{overview}");
+        assert!(overview.contains("Planners: particle swarms\n  pso ") && overview.contains("Scenes: grids\n"), "{overview}");
     }
 }
 

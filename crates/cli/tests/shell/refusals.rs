@@ -54,7 +54,7 @@ fn a_mistyped_name_suggests_the_nearest_one() {
         (&["rnu"], "`rnu` is not a command; did you mean `run`? `forage --help`"),
         (&["run", "--scen", "sphere"], "`--scen` is not an option; did you mean `--scene`? `forage run --help`"),
         (&["completions", "bashh"], "SHELL is bashh; it must be one of bash, elvish, fish"),
-        (&["run", "waldo", "--scene", "sphere"], "`waldo` is not a planner; it must be one of wcpso, pso, wpso"),
+        (&["run", "waldo", "--scene", "sphere"], "`waldo` is not a planner; it must be one of pso, wpso, cpso"),
         (&["run"], "a planner is missing, e.g. `forage run wcpso --scene wcpso-discs`"),
     ] {
         let found = refusal(&folder, args);

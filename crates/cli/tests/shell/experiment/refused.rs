@@ -45,7 +45,7 @@ fn what_is_refused_is_named_before_anything_is_run() {
         (seeds("{ from = 1, count = 100000001 }"), "`seeds.count` is 100000001"),
         ("scenes = ['sphere']\nseeds = [1]".into(), "`planner` is missing; it must be one [[planner]]"),
         (top("[[planner]]\nparams = { w = 0.5 }"), "`planner[0].name` is missing"),
-        (top("[[planner]]\nname = 'waldo'"), "planner[0].name: `waldo` is not a planner; it must be one of wcpso, pso"),
+        (top("[[planner]]\nname = 'waldo'"), "planner[0].name: `waldo` is not a planner; it must be one of pso, wpso"),
         (top("[[planner]]\nname = 'wpso'\nseed = 1"), "unknown field `seed`"),
         (top("[[planner]]\nname = 'pso'"), "`planner[1].name` is pso; it must be a planner with other parameters than planner[0]"),
         (
