@@ -121,6 +121,10 @@ const ORDER: &[&str] = &[
     "aco-direction",
     "aco-dijkstra",
     "aco",
+    "a-star",
+    "dijkstra",
+    "theta-star",
+    "rrt-guided",
 ];
 
 /// The planners that look for one path on a grid. Those that drive along paths or tune other planners do other work.
