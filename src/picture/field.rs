@@ -9,10 +9,18 @@ use crate::{
 
 const CONTOURS: f64 = 14.0;
 
+/// A function's heights as a picture.
+pub struct HeatMap {
+    /// RGBA, row by row, the top one first.
+    pub pixels: Vec<u8>,
+    /// The values of the first colour, of the one in the middle and of the last.
+    pub heights: [f64; 3],
+}
+
 /// The function over `view` as `width` × `height` RGBA pixels, top row first, in these colours from the lowest value to the highest: by
 /// rank, so that every part of a landscape shows its shape, however steep the rest; lines between levels, lighter than colours that end
 /// dark and darker than others. `None` for scenes without a height.
-pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, colors: &[Rgba]) -> Option<Vec<u8>> {
+pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, colors: &[Rgba]) -> Option<HeatMap> {
     let function = scene.get::<FunctionScene>().ok()?;
     let mut x = function.minimiser();
     let at = |i: usize, n: usize, axis: usize| view.min[axis] + (i as f64 + 0.5) / n as f64 * (view.max[axis] - view.min[axis]);
@@ -20,7 +28,7 @@ pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, colors
     for row in (0..height).rev() {
         values.extend((0..width).map(|column| function.section([at(column, width, 0), at(row, height, 1)], &mut x)));
     }
-    equalise(&mut values);
+    let heights = equalise(&mut values);
     let ends_dark = colors.last().is_some_and(|color| color[..3].iter().map(|&channel| u32::from(channel)).sum::<u32>() < 3 * 128);
     let contrast = if ends_dark { 1.25 } else { 0.86 };
     let mut pixels = Vec::with_capacity(4 * values.len());
@@ -34,11 +42,12 @@ pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, colors
         pixels.extend([r, g, b].map(|channel| (channel * shade).min(255.0) as u8));
         pixels.push(opacity as u8);
     }
-    Some(pixels)
+    Some(HeatMap { pixels, heights })
 }
 
-/// Replaces values by the share of values that are lower (0 to 1), by a histogram over the logarithm of the height.
-fn equalise(values: &mut [f64]) {
+/// Replaces values by the share of values that are lower (0 to 1), by a histogram over the logarithm of the height. Returns
+/// the lowest value, the one in the middle of the shares, and the highest.
+fn equalise(values: &mut [f64]) -> [f64; 3] {
     const BINS: usize = 4096;
     let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
     let scale = ((high - low) * 1e-5).max(f64::MIN_POSITIVE);
@@ -50,13 +59,19 @@ fn equalise(values: &mut [f64]) {
         count[bin + 1] += count[bin];
     }
     let total = values.len().max(1) as f64;
+    let (mut middle, mut off) = (low, f64::INFINITY);
     for v in values.iter_mut() {
         // Half by rank and half by height: rank alone would make a plain of a valley.
         let at = place(*v);
         let bin = at as usize;
         let rank = (f64::from(count[bin]) + (at - bin as f64) * f64::from(count[bin + 1] - count[bin])) / total;
-        *v = f64::midpoint(rank, at / (BINS - 1) as f64);
+        let share = f64::midpoint(rank, at / (BINS - 1) as f64);
+        if (share - 0.5).abs() < off {
+            (middle, off) = (*v, (share - 0.5).abs());
+        }
+        *v = share;
     }
+    [low, middle, high]
 }
 
 #[cfg(test)]
@@ -69,7 +84,8 @@ mod tests {
         let scene = shipped("matyas").unwrap();
         let side = 65;
         let dark = HEIGHTS.map(|color| color.on(true));
-        let pixels = heat_map(&scene, scene.view(), side, side, &dark).unwrap();
+        let HeatMap { pixels, heights: [low, middle, high] } = heat_map(&scene, scene.view(), side, side, &dark).unwrap();
+        assert!(low >= 0.0 && low < middle && middle < high && high <= 104.0 && high > 90.0, "Matyas: 104 at the farthest corners");
         assert_eq!(pixels.len(), side * side * 4);
         let brightness = |column: usize, row: usize| pixels[4 * (row * side + column)..][..3].iter().map(|&c| u32::from(c)).sum::<u32>();
         // The valley of Matyas runs along the diagonal x = y: lower left to upper right, the top row first.

@@ -5,7 +5,7 @@ mod glyph;
 mod layer;
 mod svg;
 
-pub use field::heat_map;
+pub use field::{HeatMap, heat_map};
 pub use layer::{Raster, raster};
 pub use svg::svg;
 

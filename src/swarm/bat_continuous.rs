@@ -93,8 +93,9 @@ struct Term {
 
 /// Sees one bat's move. `()` sees nothing and costs nothing.
 trait Watch {
-    fn wants(&self, _i: usize) -> bool {
-        false
+    /// Which one it watches.
+    fn particle(&self) -> Option<usize> {
+        None
     }
     /// It is about to be moved.
     fn begins(&mut self, _bats: &mut Bats) {}
@@ -134,7 +135,8 @@ pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> St
 
 impl Bats {
     /// One iteration. `watch` sees the move of a bat that somebody asked about.
-    fn iterate(&mut self, watch: &mut impl Watch) -> Progress {
+    fn iterate(&mut self, watch: &mut dyn Watch) -> Progress {
+        let watched = watch.particle();
         if !self.population.is_under_way() {
             self.mean_loudness = mean(&self.loudness);
         }
@@ -143,11 +145,11 @@ impl Bats {
         for i in self.population.next_part(1) {
             let (row, before) = (self.population.row(i), self.population.cost[i]);
             self.held.copy_from_slice(&self.population.x[row.clone()]);
-            if watch.wants(i) {
+            if watched == Some(i) {
                 watch.begins(self);
             }
             let walked = self.rng.unit() > self.pulse_rate[i];
-            if watch.wants(i) {
+            if watched == Some(i) {
                 self.fly(i, walked, watch);
             } else {
                 self.fly(i, walked, &mut ());
@@ -172,7 +174,7 @@ impl Bats {
 
     /// (7) to (9), or a walk about the best. Reading: velocities are limited, positions are kept in the box, and a coordinate
     /// that hits a wall stops.
-    fn fly(&mut self, i: usize, walked: bool, watch: &mut impl Watch) {
+    fn fly<W: Watch + ?Sized>(&mut self, i: usize, walked: bool, watch: &mut W) {
         let row = self.population.row(i);
         let Population { x, g, objective, .. } = &mut self.population;
         let search_box = objective.search_box();

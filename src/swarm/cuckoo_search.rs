@@ -69,8 +69,9 @@ struct Last {
 
 /// Sees what happens to one nest. `()` sees nothing and costs nothing.
 trait Watch {
-    fn wants(&self, _i: usize) -> bool {
-        false
+    /// Which one it watches.
+    fn particle(&self) -> Option<usize> {
+        None
     }
     /// It is about to be tried.
     fn begins(&mut self, _nests: &mut Nests) {}
@@ -110,7 +111,8 @@ pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> St
 
 impl Nests {
     /// An iteration, or a part of it. `watch` sees what happens to a nest that somebody asked about.
-    fn iterate(&mut self, watch: &mut impl Watch) -> Progress {
+    fn iterate(&mut self, watch: &mut dyn Watch) -> Progress {
+        let watched = watch.particle();
         let size = self.population.size;
         for at in self.population.next_part(2) {
             if at == size {
@@ -119,7 +121,7 @@ impl Nests {
                 self.r = self.rng.unit();
             }
             let i = at % size;
-            match (at < size, watch.wants(i)) {
+            match (at < size, watched == Some(i)) {
                 (true, true) => {
                     watch.begins(self);
                     self.try_flight(i, watch);
@@ -136,7 +138,7 @@ impl Nests {
         self.clock.tick(self.population.bests())
     }
 
-    fn try_flight(&mut self, i: usize, watch: &mut impl Watch) {
+    fn try_flight<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
         let cost = self.population.cost[i];
         self.fly(i, watch);
         self.population.evaluate(i);
@@ -144,7 +146,7 @@ impl Nests {
         self.last[i].flown = self.keep_better(i, cost);
     }
 
-    fn try_walk(&mut self, i: usize, watch: &mut impl Watch) {
+    fn try_walk<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
         let cost = self.population.cost[i];
         self.walk(i, self.r, watch);
         self.population.evaluate(i);
@@ -153,7 +155,7 @@ impl Nests {
     }
 
     /// A Lévy flight to a candidate, which is kept in the box.
-    fn fly(&mut self, i: usize, watch: &mut impl Watch) {
+    fn fly<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
         let row = self.population.row(i);
         let Population { x, g, objective, .. } = &mut self.population;
         let x = &mut x[row];
@@ -167,7 +169,7 @@ impl Nests {
     }
 
     /// A random walk along the difference of two nests to a candidate, which is kept in the box.
-    fn walk(&mut self, i: usize, r: f64, watch: &mut impl Watch) {
+    fn walk<W: Watch + ?Sized>(&mut self, i: usize, r: f64, watch: &mut W) {
         let row = self.population.row(i);
         let [of_j, of_k] = [0, 1].map(|one| self.population.row(self.pairs[one][i]));
         let Population { x, objective, .. } = &mut self.population;
@@ -298,8 +300,8 @@ struct Record<'a> {
 }
 
 impl Watch for Record<'_> {
-    fn wants(&self, i: usize) -> bool {
-        i == self.nest
+    fn particle(&self) -> Option<usize> {
+        Some(self.nest)
     }
 
     fn begins(&mut self, nests: &mut Nests) {

@@ -203,6 +203,10 @@ impl Search for Genetic {
         self.part.progress()
     }
 
+    fn rng(&mut self) -> Option<&mut Stream> {
+        Some(&mut self.rng)
+    }
+
     fn evaluations(&self) -> u64 {
         self.evaluations
     }

@@ -221,6 +221,10 @@ impl Search for Bats {
         self.part.progress()
     }
 
+    fn rng(&mut self) -> Option<&mut Stream> {
+        Some(&mut self.rng)
+    }
+
     fn evaluations(&self) -> u64 {
         self.evaluations
     }

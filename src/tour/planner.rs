@@ -6,10 +6,10 @@ use crate::{
     describe::{Reading, Start, layers},
     exact::MAX_EXACT_STOPS,
     kernel::{
-        Candidate, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Message, Planner, Progress, Readings,
-        ReferenceOptimum, Solution, Stage, Started, Status, Subtasks, limits,
+        Candidate, Error, Explain, Facets, Failure, Frame, Inspection, Item, Label, Members, Message, Planner, Progress, Readings,
+        ReferenceOptimum, Solution, Stage, Started, Status, Subtasks, limits, rng::Stream,
     },
-    message,
+    label, message,
     scene::{GridScene, TourScene},
     settled::{SETTLED, Settled},
 };
@@ -75,6 +75,9 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
     let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(reference).in_stages(stages);
     Ok(Started { progress, ends: Some(round), ..started })
 }
+
+/// What can be supposed of a step.
+const OTHER_NUMBERS: Label = label!("tour-other-random-numbers", "random", "\\xi", "with other random numbers");
 
 /// The bytes of a member's numbers, at the most: the same wherever it runs.
 const NUMBERS: usize = 256;
@@ -171,11 +174,21 @@ impl Explain for Tours {
                 let mut told = explain::tour(problem, tour, search.best()?, &self.places, item);
                 told.marks.insert(0, explain::way(self.path(problem, tour)));
                 search.explain(item.index, &mut told);
+                if self.iteration > self.road_steps() && search.clone().rng().is_some() {
+                    told.suppositions = vec![OTHER_NUMBERS];
+                }
                 Some(told)
             }
             (layer, None) if layer == layers::TOURS.key => Some(explain::no_tour(item)),
             _ => None,
         }
+    }
+
+    fn suppose(&self, item: Item, _supposition: &str, others: &Stream) -> Option<Inspection> {
+        let mut next = self.clone();
+        next.search.as_mut()?.1.rng()?.clone_from(others);
+        while next.advance() == Progress::Partly {}
+        next.inspect(item)
     }
 }
 

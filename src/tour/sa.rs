@@ -166,6 +166,10 @@ impl Search for Annealing {
         self.part.progress()
     }
 
+    fn rng(&mut self) -> Option<&mut Stream> {
+        Some(&mut self.rng)
+    }
+
     fn evaluations(&self) -> u64 {
         self.evaluations
     }

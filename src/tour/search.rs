@@ -32,6 +32,10 @@ pub trait Search: State + CopySearch + Send {
     fn member(&self, _i: usize) -> Option<&Tour> {
         None
     }
+    /// Its stream of random numbers, so that a step can be supposed with others; `None`: it draws none.
+    fn rng(&mut self) -> Option<&mut Stream> {
+        None
+    }
     /// Adds numbers of its own to the readings.
     fn read(&self, _out: &mut Readings) {}
     /// Adds a member's numbers, those of the entry's `members` in their order.

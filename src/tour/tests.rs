@@ -373,3 +373,36 @@ fn more_members_than_there_is_memory_for_are_refused() {
         assert_eq!((error.field(), error.value(), &*error.allowed()), ("population", "100000", allowed), "{planner}");
     }
 }
+
+/// Other random numbers give another tour; nothing of the run itself changes, and what draws none has nothing to suppose.
+#[test]
+fn a_step_can_be_supposed_with_other_random_numbers_wherever_it_draws_some() {
+    let [few, many] = [12, 90].map(|count| stops(count, &mut Stream::new(3, 0)));
+    'planners: for entry in tour_planners() {
+        let scene = if entry.check_scene(&many).is_ok() { &many } else { &few };
+        let mut run = run(entry.name, scene, &[], 5);
+        let mut others = 0;
+        let draws = !run.outcome().deterministic;
+        for _ in 0..6 {
+            if run.step(1) != Status::Running {
+                break;
+            }
+            let hash = run.hash();
+            let item = Item { layer: layers::TOURS.key, index: 0 };
+            let Some(told) = run.inspect(item) else {
+                // It has no tours but its best.
+                continue 'planners;
+            };
+            assert_eq!(!told.suppositions.is_empty(), draws, "{}", entry.name);
+            if !draws {
+                assert!(run.suppose(item, "random", 0).is_err());
+                continue;
+            }
+            let supposed = run.suppose(item, "random", 0).unwrap().unwrap();
+            assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key) && supposed.marks.len() == 1);
+            others += usize::from(supposed.rows != told.rows);
+            assert_eq!(run.hash(), hash, "{}", entry.name);
+        }
+        assert_eq!(others > 0, draws, "{}", entry.name);
+    }
+}

@@ -201,6 +201,10 @@ impl Search for Swarm {
         if self.particles.len() < self.population { Progress::Partly } else { self.part.progress() }
     }
 
+    fn rng(&mut self) -> Option<&mut Stream> {
+        Some(&mut self.rng)
+    }
+
     fn evaluations(&self) -> u64 {
         self.evaluations + self.local.as_ref().map_or(0, LocalSearch::tried)
     }

@@ -148,6 +148,8 @@ pub struct Session {
     frame: Frame,
     /// The names of the frame's layers.
     layers: JsValue,
+    /// Of the last heat map: see `heights`.
+    heights: Option<[f64; 3]>,
 }
 
 #[wasm_bindgen]
@@ -164,7 +166,7 @@ impl Session {
 
     fn of(run: run::Run) -> Self {
         let layers: js_sys::Array = run.entry().drawn_and_marked().0.iter().map(|layer| JsValue::from(layer.key.0)).collect();
-        Self { run, frame: Frame::default(), layers: layers.into() }
+        Self { run, frame: Frame::default(), layers: layers.into(), heights: None }
     }
 
     /// Takes up to `n` steps, one unless given; stops where the planner does. Infinity: to the end.
@@ -464,7 +466,7 @@ impl Session {
     /// # Errors
     /// For what is no such context or no ramp, and when the canvas refuses the pixels.
     #[wasm_bindgen(js_name = paintField)]
-    pub fn paint_field(&self, ctx: &JsContext, min: &JsPoint, max: &JsPoint, ramp: Option<JsRamp>) -> Result<bool, JsValue> {
+    pub fn paint_field(&mut self, ctx: &JsContext, min: &JsPoint, max: &JsPoint, ramp: Option<JsRamp>) -> Result<bool, JsValue> {
         let view = Bounds { min: read_point("min", min)?, max: read_point("max", max)? };
         let colors = read_ramp(ramp)?.unwrap_or_else(|| HEIGHTS.map(|color| color.on(false)).to_vec());
         // Not the canvas's own getters: what only calls itself a context throws there.
@@ -473,12 +475,19 @@ impl Session {
         let known = ctx.dyn_ref().filter(|_| width * height <= MOST_PIXELS);
         let ctx: &OffscreenCanvasRenderingContext2d = known.ok_or_else(|| refused("ctx", ctx, allowed::canvas()))?;
         let (width, height) = (width as u32, height as u32);
-        let Some(pixels) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, &colors) else {
+        let Some(map) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, &colors) else {
             return Ok(false);
         };
-        let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&pixels), width, height)?;
+        let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&map.pixels), width, height)?;
         ctx.put_image_data(&image, 0.0, 0.0)?;
+        self.heights = Some(map.heights);
         Ok(true)
+    }
+
+    /// The values of the first, the middle and the last colour that `paintField` painted last; undefined before.
+    #[wasm_bindgen(getter, unchecked_return_type = "Float64Array | undefined")]
+    pub fn heights(&self) -> Option<Box<[f64]>> {
+        self.heights.map(|heights| heights.as_slice().into())
     }
 
     /// The readings of past iterations as CSV.

@@ -61,8 +61,8 @@ struct Record<'a> {
 }
 
 impl Watch for Record<'_> {
-    fn wants(&self, i: usize) -> bool {
-        i == self.particle
+    fn particle(&self) -> Option<usize> {
+        Some(self.particle)
     }
 
     fn begins(&mut self, swarm: &mut Quantum) {

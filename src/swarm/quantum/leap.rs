@@ -72,8 +72,9 @@ pub(super) struct Leap {
 
 /// Sees a particle's leap. `()` sees nothing and costs nothing.
 pub(super) trait Watch {
-    fn wants(&self, _i: usize) -> bool {
-        false
+    /// Which one it watches.
+    fn particle(&self) -> Option<usize> {
+        None
     }
     /// It is about to leap.
     fn begins(&mut self, _swarm: &mut Quantum) {}
@@ -108,13 +109,14 @@ impl Quantum {
     }
 
     /// One iteration. `watch` sees what happens to a particle that somebody asked about.
-    pub(super) fn iterate(&mut self, watch: &mut impl Watch) -> Progress {
+    pub(super) fn iterate(&mut self, watch: &mut dyn Watch) -> Progress {
+        let watched = watch.particle();
         if !self.population.is_under_way() {
             self.width = self.alpha.at(self.clock.iteration, self.clock.limit);
             self.prepare();
         }
         for i in self.population.next_part(1) {
-            if watch.wants(i) {
+            if watched == Some(i) {
                 watch.begins(self);
                 self.leap(i, watch);
             } else {
@@ -149,7 +151,7 @@ impl Quantum {
 
     /// (7) and (9), or with ip = gs = 1 (4) and (1). Reading: positions are kept in the box, [LTQPSO](crate#papers) §4 (8).
     #[inline]
-    fn leap(&mut self, i: usize, watch: &mut impl Watch) {
+    fn leap<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
         let [c1, c2] = self.c;
         let (ip, alpha) = (self.ip[i], self.width);
         let row = self.population.row(i);
@@ -261,8 +263,8 @@ mod tests {
         #[derive(Default)]
         struct Seen(Vec<Leap>);
         impl Watch for Seen {
-            fn wants(&self, i: usize) -> bool {
-                i == 3
+            fn particle(&self) -> Option<usize> {
+                Some(3)
             }
             fn leap(&mut self, leap: Leap) {
                 self.0.push(leap);

@@ -87,11 +87,23 @@ export interface Ground {
   box: Box
 }
 
+/** An entry of a legend. */
+export interface Sample {
+  title: string
+  look: Look
+  /** A stretch of a line stands for it, else a point. */
+  line: boolean
+  /** The values of its colours, from the first to the last. */
+  values?: readonly number[]
+  /** They hold at every iteration. */
+  fixed?: boolean
+}
+
 /** What stands below a picture in a file. */
 export interface Footer {
   /** What it shows, line by line; the first one is the title. */
   caption: readonly string[]
-  legend: readonly { title: string; look: Look; line: boolean }[]
+  legend: readonly Sample[]
   /** The address of the run. */
   link: string
 }

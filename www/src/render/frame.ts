@@ -36,6 +36,13 @@ export interface FieldPicture {
   range: [number, number]
 }
 
+/** The heights of a function, coloured. */
+export interface HeightMap {
+  bitmap: ImageBitmap
+  /** The values of the first colour, of the one in the middle and of the last. */
+  heights: readonly number[]
+}
+
 /** Asks for the heights of a function, coloured. */
 export interface FieldRequest {
   scene: Scene

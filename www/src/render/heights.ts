@@ -1,9 +1,9 @@
 import type { Ramp, Scene } from 'forage-lab'
 import type { Ground } from './display'
-import type { FieldRequest } from './frame'
+import type { FieldRequest, HeightMap } from './frame'
 import { type Box, type Size, toScene, type View } from './view'
 
-type Paint = (request: FieldRequest) => Promise<ImageBitmap | null>
+type Paint = (request: FieldRequest) => Promise<HeightMap | null>
 
 /** How fine the heights are sampled, in pixels of the canvas a side. */
 const FINEST = 700
@@ -16,7 +16,7 @@ export class Heights {
 
   constructor(
     private readonly paint: Paint,
-    private readonly show: (ground: Ground | null) => void,
+    private readonly show: (ground: Ground | null, heights?: readonly number[]) => void,
     /** There is an answer: something else may be wanted meanwhile. */
     private readonly answered: () => void,
   ) {}
@@ -41,12 +41,12 @@ export class Heights {
     const fine = Math.min(1, FINEST / Math.max(size.width, size.height))
     const [width, height] = [size.width, size.height].map((side) => Math.max(1, Math.round(side * fine))) as [number, number]
     try {
-      const bitmap = await this.paint({ scene, ...box, width, height, ramp })
+      const map = await this.paint({ scene, ...box, width, height, ramp })
       // Nobody may want it any more.
-      if (this.asked === '') bitmap?.close()
+      if (this.asked === '') map?.bitmap.close()
       else {
-        this.shown = bitmap !== null
-        this.show(bitmap && { bitmap, box })
+        this.shown = map !== null
+        this.show(map && { bitmap: map.bitmap, box }, map?.heights)
       }
       this.busy = false
       this.answered()

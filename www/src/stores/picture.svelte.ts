@@ -17,6 +17,8 @@ export class PictureStore {
   wantedCamera = $state.raw<Camera | null>(null)
   /** What of the newest frame can be pointed at. */
   anchors = $state.raw<Anchors | null>(null)
+  /** What the colours of a function's heat map stand for: the first, the middle one and the last. */
+  heights = $state.raw<readonly number[]>([])
   /** The first picture is on the screen: what it did not need may come. */
   drawn = $state(false)
   private begun = false

@@ -20,7 +20,7 @@ import type {
   Suggestion,
   UncheckedSetup,
 } from 'forage-lab'
-import type { FieldRequest } from '../../render/frame'
+import type { FieldRequest, HeightMap } from '../../render/frame'
 import type { Answer } from '../protocol'
 import { answer, silently } from './answers'
 import { breathe } from './pace'
@@ -65,12 +65,12 @@ export function questionsTo(host: RunHost) {
     csv: (): Promise<Answer<string>> => ofRun((session) => session.csv()),
     tourFile: (): Promise<Answer<NamedFile | null>> => ofRun((session) => session.tourFile()),
     /** The heights of the run's function. */
-    async field(request: FieldRequest): Promise<ImageBitmap | null> {
+    async field(request: FieldRequest): Promise<HeightMap | null> {
       await breathe()
       return painted(request, host.session)
     },
     /** Those of another function. */
-    async preview(request: FieldRequest, planner: string): Promise<ImageBitmap | null> {
+    async preview(request: FieldRequest, planner: string): Promise<HeightMap | null> {
       await breathe()
       const made = await silently(() => new Session({ planner: planner as PlannerName, scene: request.scene, seed: 0 }))
       if (!made.ok) return null
@@ -103,9 +103,9 @@ function piecesOf({ vertices, spans }: FrameViews, layer: number): Float32Array[
   return pieces
 }
 
-async function painted({ min, max, width, height, ramp }: FieldRequest, session: Session | undefined): Promise<ImageBitmap | null> {
+async function painted({ min, max, width, height, ramp }: FieldRequest, session: Session | undefined): Promise<HeightMap | null> {
   const canvas = new OffscreenCanvas(width, height)
   const context = canvas.getContext('2d')
   const done = await silently(() => context !== null && (session?.paintField(context, min, max, ramp) ?? false))
-  return done.ok && done.value ? canvas.transferToImageBitmap() : null
+  return done.ok && done.value && session ? { bitmap: canvas.transferToImageBitmap(), heights: [...(session.heights ?? [])] } : null
 }

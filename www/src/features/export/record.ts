@@ -18,7 +18,8 @@ export async function record(lab: Lab, take: Take, onpicture: (done: number) => 
   signal.addEventListener('abort', stop)
   try {
     signal.throwIfAborted()
-    const { legend } = canvasesOf(lab)
+    // Values of one iteration say nothing of the others.
+    const legend = canvasesOf(lab).legend.map((sample) => (sample.fixed ? sample : { ...sample, values: [] }))
     const link = choices.captioned ? await addressOf(lab) : ''
     const footer = (at: number): Footer | undefined =>
       choices.captioned ? { caption: [titleOf(lab, at), `${text.seed} ${lab.run.present?.seed ?? ''}`], legend, link } : undefined

@@ -53,6 +53,8 @@ export const en = {
       stored: 'Optimum from the file',
       refuted: 'The file’s tour',
     },
+    height: 'Value of the function',
+    heightHelp: 'Colours by rank and by the logarithm of the height: from the lowest value seen to the highest.',
     exactHelp: {
       plain: 'The shortest path.',
       'any-angle': 'The shortest path at any angle.',

@@ -1,4 +1,5 @@
 import type { Look } from 'forage-lab'
+import { number } from '../../text/number'
 import type { Footer } from '../display'
 import { FONT } from './ground'
 import { applyStyle, type Pen } from './pen'
@@ -36,7 +37,8 @@ export function laidOut({ caption, legend, link }: Footer, width: number): Sheet
   })
   let row: Row | undefined
   let x = MARGIN
-  for (const { title, look, line } of legend) {
+  for (const { title: name, look, line, values = [] } of legend) {
+    const title = values.length > 0 ? `${name} (${values.map((value) => number(value, 3)).join(' · ')})` : name
     const end = x + SAMPLE + 6 + wide(title, FONT)
     if (!row || end > MARGIN + room) {
       row = { font: FONT, pieces: [] }

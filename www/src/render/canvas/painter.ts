@@ -80,7 +80,7 @@ export class Painter {
   /** What lies beneath the frame. */
   beneath(pen: Pen, display: Display, heat: Ground | null): void {
     veil(pen, 0)
-    if (heat) drawGround(pen, heat)
+    if (heat && !display.hidden.includes('height')) drawGround(pen, heat)
     if (!isCovered(display.scene)) this.drawObstacles(pen, display)
   }
 

@@ -195,8 +195,8 @@ export class CanvasRenderer implements Renderer {
   /** What lies beneath the frame, kept as a picture: a run draws it sixty times a second. */
   private drawBackdrop(pen: Pen, display: Display): void {
     const { context, size, density } = pen
-    const { scene, view, theme, blamed } = display
-    const key = [scene, view, size, density, theme, blamed, this.heat]
+    const { scene, view, theme, blamed, hidden } = display
+    const key = [scene, view, size, density, theme, blamed, this.heat, hidden.includes('height')]
     if (!this.backdrop || key.some((part, at) => part !== this.backdrop?.key[at])) {
       const [width, height] = [Math.max(1, this.canvas.width), Math.max(1, this.canvas.height)]
       // A new one each time: browsers draw the first picture on a canvas with other shades than the following ones.

@@ -6,7 +6,7 @@ import { en } from '../../../locales/en/page'
 import { type Names, namesOf } from '../../../render/looks'
 import { sameScene } from '../../../scene/equality'
 import { Outlet } from '../../../render/outlet'
-import type { FieldRequest, Viewport } from '../../../render/frame'
+import type { FieldRequest, HeightMap, Viewport } from '../../../render/frame'
 import { markAt } from './standings'
 import { foreseen } from './ticks'
 
@@ -213,7 +213,7 @@ export class Lane {
 
   see = (viewport: Viewport): void => void this.client.want({ viewport })
 
-  field = async (request: FieldRequest): Promise<ImageBitmap | null> => (this.racing ? this.client.api.field(request) : null)
+  field = async (request: FieldRequest): Promise<HeightMap | null> => (this.racing ? this.client.api.field(request) : null)
 
   /** A picture that isn't shown. */
   pass(picture: Report | null): void {
