@@ -26,6 +26,7 @@ test('scene, result, picture, drawing and curve are exported as they stand', asy
     expect(JSON.parse(content.toString())).toMatchObject({ planner: 'wcpso', seed: 1, iterations: 40, hash, feasible: true })
   })
   await test.step('picture', async () => {
+    await lab.page.getByTestId('export-caption').uncheck()
     const { name, content } = await exported(lab, 'png')
     const { width, height } = await lab.picture()
     expect(name).toMatch(/\.png$/)

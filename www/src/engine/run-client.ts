@@ -1,3 +1,4 @@
+import { asking } from '../render/asking'
 import type { Questions } from './host/questions'
 import { type Host, host } from './host'
 import {
@@ -149,12 +150,7 @@ export class RunClient {
   }
 
   /** For questions: `client.api.pick(1, 2, 3)`. They fail with `Gone` if the thread breaks down. */
-  readonly api = new Proxy({} as Questions, {
-    get:
-      (_, name: string) =>
-      (...given: unknown[]) =>
-        this.ask(name, given),
-  })
+  readonly api = asking<Questions>((name, given) => this.ask(name, given))
 
   private ask(name: string, given: unknown[]): Promise<unknown> {
     return new Promise((resolve, reject) => {

@@ -126,12 +126,8 @@ export interface Filming {
   footer?: Footer | undefined
 }
 
-/** Draws one canvas. What was given last counts. */
-export interface Renderer {
-  show(display: Display): void
-  /** It is the renderer's from now on. */
-  frame(frame: Frame, names: Names): void
-  ground(ground: Ground | null): void
+/** What is seen, as files. */
+export interface CanvasFiles {
   /** What is seen, as SVG with this title. */
   svg(caption: string, looks?: Looks): Promise<string>
   /** What is seen, as PNG with so many pixels a pixel of the page. */
@@ -142,6 +138,15 @@ export interface Renderer {
   shoot(footer?: Footer): Promise<void>
   /** Ends it. */
   cut(): Promise<Blob>
+}
+
+/** Draws one canvas. What was given last counts. */
+export interface Renderer {
+  show(display: Display): void
+  /** It is the renderer's from now on. */
+  frame(frame: Frame, names: Names): void
+  ground(ground: Ground | null): void
+  readonly files: CanvasFiles
   /** The nearest of these layers' points that are shown in space and seen within this reach, in pixels; its index is that in the frame. */
   nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null>
   dispose(): void

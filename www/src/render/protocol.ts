@@ -1,6 +1,6 @@
 /* What the page and the thread that draws say to each other. Each message is about one canvas. */
 import type { Point } from 'forage-lab'
-import type { Display, Filming, Footer, Ground, Looks, SpaceState } from './display'
+import type { CanvasFiles, Display, Ground, SpaceState } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 
@@ -22,12 +22,8 @@ export type ToRenderer = { canvas: number } & (
 
 /** A picture or a recording as a file, or a point of it. */
 export type Asked =
-  | { for: 'svg'; caption: string; looks?: Looks | undefined }
-  | { for: 'picture'; density: number; looks?: Looks | undefined }
-  | { for: 'film'; filming: Filming }
-  | { for: 'shoot'; footer?: Footer | undefined }
-  | { for: 'cut' }
-  | { for: 'nearest'; at: Point; reach: number; layers: readonly string[] }
+  /** The name of one of the `CanvasFiles`, and what it is given. */
+  { for: keyof CanvasFiles; given: unknown[] } | { for: 'nearest'; at: Point; reach: number; layers: readonly string[] }
 
 export type FromRenderer = { canvas: number } & (
   | { is: 'released'; buffer: ArrayBuffer }

@@ -41,22 +41,10 @@ function open(canvas: number, element: OffscreenCanvas): void {
   canvases.set(canvas, { renderer, display: {}, names: { layers: [], shapes: [] } })
 }
 
-function found(renderer: CanvasRenderer, asked: Asked): Promise<unknown> {
-  switch (asked.for) {
-    case 'svg':
-      return renderer.svg(asked.caption, asked.looks)
-    case 'picture':
-      return renderer.picture(asked.density, asked.looks)
-    case 'film':
-      return renderer.film(asked.filming)
-    case 'shoot':
-      return renderer.shoot(asked.footer)
-    case 'cut':
-      return renderer.cut()
-    case 'nearest':
-      return renderer.nearest(asked.at, asked.reach, asked.layers)
-  }
-}
+const found = (renderer: CanvasRenderer, asked: Asked): Promise<unknown> =>
+  asked.for === 'nearest'
+    ? renderer.nearest(asked.at, asked.reach, asked.layers)
+    : (renderer.files[asked.for] as (...given: unknown[]) => Promise<unknown>)(...asked.given)
 
 async function answer(canvas: number, renderer: CanvasRenderer, asked: Asked & { id: number }): Promise<void> {
   const { id } = asked

@@ -1,5 +1,6 @@
 import type { Item, Point } from 'forage-lab'
-import type { Display, Filming, Footer, Ground, Looks, Renderer, RendererListeners } from './display'
+import { asking } from './asking'
+import type { CanvasFiles, Display, Ground, Renderer, RendererListeners } from './display'
 import type { Frame } from './frame'
 import type { Names } from './looks'
 import type { Answer, Asked, FromRenderer, ToRenderer } from './protocol'
@@ -34,25 +35,7 @@ class RemoteRenderer implements Renderer {
     this.send({ is: 'ground', ground }, ground ? [ground.bitmap] : [])
   }
 
-  svg(caption: string, looks?: Looks): Promise<string> {
-    return this.ask({ for: 'svg', caption, looks })
-  }
-
-  picture(density: number, looks?: Looks): Promise<Blob> {
-    return this.ask({ for: 'picture', density, looks })
-  }
-
-  film(filming: Filming): Promise<void> {
-    return this.ask({ for: 'film', filming })
-  }
-
-  shoot(footer?: Footer): Promise<void> {
-    return this.ask({ for: 'shoot', footer })
-  }
-
-  cut(): Promise<Blob> {
-    return this.ask({ for: 'cut' })
-  }
+  readonly files = asking<CanvasFiles>((name, given) => this.ask({ for: name, given }))
 
   nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null> {
     return this.ask({ for: 'nearest', at, reach, layers })

@@ -29,15 +29,20 @@ export async function record(lab: Lab, take: Take, onpicture: (done: number) => 
       // The run may be over before.
       if (iteration < wanted && done > 0) break
       if (done === 0) {
-        await replay.renderer.film({ format: take.format, density: Number(choices.density), rate: take.rate, footer: footer(take.to) })
+        await replay.renderer.files.film({
+          format: take.format,
+          density: Number(choices.density),
+          rate: take.rate,
+          footer: footer(take.to),
+        })
       }
-      await replay.renderer.shoot(footer(iteration))
+      await replay.renderer.files.shoot(footer(iteration))
       done += 1
       onpicture(done)
       signal.throwIfAborted()
     }
-    for (let rest = 0; rest < REST * take.rate; rest += 1) await replay.renderer.shoot()
-    return await replay.renderer.cut()
+    for (let rest = 0; rest < REST * take.rate; rest += 1) await replay.renderer.files.shoot()
+    return await replay.renderer.files.cut()
   } finally {
     signal.removeEventListener('abort', stop)
     replay.close()

@@ -19,7 +19,7 @@ export const canvasesOf = perLab((): Canvases => ({ canvas: null, over: null, re
 /** What is seen, as a PNG with so many pixels a pixel of the page. */
 export async function pictureOf(lab: Lab, renderer: Renderer, density: number, looks?: Looks): Promise<Blob> {
   const { over } = canvasesOf(lab)
-  const picture = await renderer.picture(density, looks)
+  const picture = await renderer.files.picture(density, looks)
   if (!over) return picture
   const beneath = await createImageBitmap(picture)
   const whole = new OffscreenCanvas(beneath.width, beneath.height)

@@ -90,11 +90,11 @@ class Drawing implements RunDrawing {
   }
 
   svg(caption = ''): Promise<string> {
-    return this.renderer.svg(caption)
+    return this.renderer.files.svg(caption)
   }
 
   png(density = this.density): Promise<Blob> {
-    return this.renderer.picture(density)
+    return this.renderer.files.picture(density)
   }
 
   dispose(): void {

@@ -1,25 +1,13 @@
 import type { Item, Point } from 'forage-lab'
 import { anchorsOf } from '../anchors'
-import type { Display, Filming, Footer, Ground, Looks, Renderer, RendererListeners } from '../display'
-import type { Encoder, FilmContext } from '../film/encoder'
+import { asking } from '../asking'
+import type { CanvasFiles, Display, Ground, Renderer, RendererListeners } from '../display'
 import type { Frame } from '../frame'
 import type { Names } from '../looks'
 import { Palette } from '../palette'
-import { fit, margins } from '../view'
-import { drawAxisTitles } from './ground'
-import { Painter, partsLoaded, type Present } from './painter'
+import type { Files, Seen } from './files'
+import { Painter, type Present } from './painter'
 import type { Context, Pen } from './pen'
-
-/** Pictures in a file of lines and areas have so many pixels a pixel of the page. */
-const SHARP = 2
-
-/** What stands below a picture; nothing has no height. */
-async function sheetOf(footer: Footer | undefined, width: number): Promise<{ height: number; draw(pen: Pen, top: number): void }> {
-  if (!footer) return { height: 0, draw: () => undefined }
-  const { drawFooter, laidOut } = await import('./footer')
-  const sheet = laidOut(footer, width)
-  return { height: sheet.height, draw: (pen, top) => drawFooter(pen, sheet, top) }
-}
 
 /** Draws scenes and frames on a canvas of two dimensions: of the page, or of a thread. */
 export class CanvasRenderer implements Renderer {
@@ -30,7 +18,16 @@ export class CanvasRenderer implements Renderer {
   private heat: Ground | null = null
   private backdrop: { sheet: OffscreenCanvas; key: readonly unknown[] } | null = null
   private request = 0
-  private filming: { context: FilmContext; density: number; encoder: Encoder; painter: Painter } | null = null
+  /** A recording is under way. */
+  private filming = false
+  private saved: Promise<Files> | undefined
+  /** They come with the first that is wanted. */
+  readonly files = asking<CanvasFiles>(async (name, given) => {
+    this.saved ??= import('./files').then(({ Files }) => new Files(() => this.seen))
+    const files = await this.saved
+    this.filming = name === 'film' || (this.filming && name !== 'cut')
+    return (files[name] as (...given: unknown[]) => Promise<unknown>)(...given)
+  })
   private drawn = false
 
   constructor(
@@ -67,74 +64,22 @@ export class CanvasRenderer implements Renderer {
     this.soon()
   }
 
-  async svg(caption: string, looks: Looks = {}): Promise<string> {
-    const { VectorContext } = await import('../vector/context')
-    const display = await flat(this.shown(looks))
-    const { width, height } = display.size
-    const below = await sheetOf(looks.footer, width)
-    const painter = new Painter(() => undefined)
-    const file = await this.painted(() => new VectorContext(width, height + below.height, SHARP), display, SHARP, painter)
-    below.draw(this.penOn(file, display, SHARP), height)
-    painter.drop()
-    return file.svg(caption)
-  }
-
-  async picture(density: number, looks: Looks = {}): Promise<Blob> {
-    const display = this.shown(looks)
-    const { width, height } = display.size
-    const below = await sheetOf(looks.footer, width)
-    const whole = height + below.height
-    const sheet = new OffscreenCanvas(Math.max(1, Math.round(width * density)), Math.max(1, Math.round(whole * density)))
-    // Grids and space are drawn on canvases of their own: those of another size are another painter's.
-    const painter = new Painter(() => undefined)
-    const context = await this.painted(() => contextOf(sheet), { ...display, density }, density, painter)
-    below.draw(this.penOn(context, display, density), height)
-    painter.drop()
-    return sheet.convertToBlob()
-  }
-
-  async film({ format, density, rate, footer }: Filming): Promise<void> {
-    const [{ encoderOf, even }, { size }] = [await import('../film/film'), this.shown()]
-    const below = await sheetOf(footer, size.width)
-    const sheet = new OffscreenCanvas(even(size.width * density), even((size.height + below.height) * density))
-    // Drawn without a graphics card: the same pictures are the same pixels.
-    const context = contextOf(sheet, { willReadFrequently: true })
-    context.fillStyle = new Palette(this.shown().theme).get('--stage')
-    context.fillRect(0, 0, sheet.width, sheet.height)
-    this.filming = { context, density, encoder: await encoderOf(format, context, rate), painter: new Painter(() => undefined) }
-  }
-
-  async shoot(footer?: Footer): Promise<void> {
-    const { filming } = this
-    if (!filming) throw new Error('nothing is recorded')
-    const { context, density, painter, encoder } = filming
-    const display = this.shown()
-    const below = await sheetOf(footer, display.size.width)
-    await this.painted(() => context, { ...display, density }, density, painter)
-    below.draw(this.penOn(context, display, density), display.size.height)
-    await encoder.add()
-  }
-
-  async cut(): Promise<Blob> {
-    const { filming } = this
-    if (!filming) throw new Error('nothing is recorded')
-    this.filming = null
-    filming.painter.drop()
-    return filming.encoder.end()
-  }
-
   async nearest(at: Point, reach: number, layers: readonly string[]): Promise<Item | null> {
     return this.painter.nearest(this.display, at, reach, layers)
   }
 
   dispose(): void {
     this.painter.drop()
-    this.filming?.painter.drop()
-    void this.filming?.encoder.cancel()
-    this.filming = null
+    void this.saved?.then((files) => files.drop())
     if (this.request !== 0) cancelAnimationFrame(this.request)
     this.heat?.bitmap.close()
     this.release()
+  }
+
+  private get seen(): Seen {
+    const { display, present, heat } = this
+    if (!display) throw new Error('nothing is shown yet')
+    return { display, present, heat }
   }
 
   private release(): void {
@@ -152,30 +97,6 @@ export class CanvasRenderer implements Renderer {
       this.request = 0
       this.draw()
     })
-  }
-
-  private shown({ theme }: Looks = {}): Display {
-    if (!this.display) throw new Error('nothing is shown yet')
-    return theme ? { ...this.display, theme: { ...this.display.theme, ...theme } } : this.display
-  }
-
-  /** All of the picture on something else, with all that it needs. */
-  private async painted<C extends Context>(make: () => C, display: Display, density: number, painter: Painter): Promise<C> {
-    for (;;) {
-      const context = make()
-      const pen = this.penOn(context, display, density)
-      context.setTransform(density, 0, 0, density, 0, 0)
-      painter.beneath(pen, display, this.heat)
-      if (painter.above(pen, display, this.present)) {
-        drawAxisTitles(pen, display.scene)
-        return context
-      }
-      await partsLoaded()
-    }
-  }
-
-  private penOn(context: Context, display: Display, density: number): Pen {
-    return { ...display, context, density, palette: new Palette(display.theme) }
   }
 
   private draw(): void {
@@ -211,21 +132,4 @@ export class CanvasRenderer implements Renderer {
     context.drawImage(this.backdrop.sheet, 0, 0)
     context.setTransform(density, 0, 0, density, 0, 0)
   }
-}
-
-function contextOf(sheet: OffscreenCanvas, settings?: CanvasRenderingContext2DSettings): OffscreenCanvasRenderingContext2D {
-  const context = sheet.getContext('2d', settings)
-  if (!context) throw new Error('this browser gives no canvas')
-  return context
-}
-
-/** What is seen in space as lines and areas in the plane: in parallel projection, from where it is seen. */
-async function flat(display: Display): Promise<Display> {
-  const { scene, size, orbit, posture } = display
-  if (!orbit || scene.kind !== 'arm') return display
-  const [{ flattened }, { home, stance }] = await Promise.all([import('../space/projection'), import('../space/kinematics')])
-  const { skeleton } = stance(scene.arm, posture ?? home(scene.arm))
-  const angles = { azimuth: orbit.azimuth, elevation: orbit.elevation }
-  const view = fit(flattened(scene, skeleton, angles).bounds, size, margins(size.width, true))
-  return { ...display, orbit: undefined, view, space: { angles, skeleton } }
 }
