@@ -83,3 +83,26 @@ test('a click on a particle explains its step with the numbers that were drawn',
   await page.getByRole('button', { name: 'Close the inspection' }).click()
   await expect(panel.getByRole('heading', { level: 2 })).toHaveCount(0)
 })
+
+test('what the colours of a function stand for is in the legend; hidden, the heights are gone, and presented, they are there', async ({
+  lab,
+  page,
+}) => {
+  await lab.open(linkTo({ planner: 'pso', scene: 'rastrigin', seed: 1 }, 5))
+  await lab.settled(5)
+  const values = async (): Promise<number[]> => (await page.getByTestId('range-height').locator('span').allTextContents()).map(Number)
+  await expect.poll(async () => (await values()).length).toBe(3)
+  const [low = NaN, middle = NaN, high = NaN] = await values()
+  expect(low).toBeGreaterThanOrEqual(0)
+  expect(low).toBeLessThan(middle)
+  expect(middle).toBeLessThan(high)
+  const shown = await lab.wholePicture()
+  await lab.layer('height', false)
+  const bare = await lab.picture()
+  expect(bare.colours).toBeLessThan(shown.colours / 4)
+  await lab.layer('height', true)
+  expect((await lab.picture()).digest).toBe(shown.digest)
+  await page.keyboard.press('p')
+  await expect(page.getByTestId('present-end')).toBeVisible()
+  expect((await lab.picture()).colours).toBeGreaterThan(bare.colours)
+})

@@ -6,7 +6,7 @@ const WIDE = 900
 /** More layers than so many nobody can tell apart from the last row. */
 const LAYERS = 3
 /** Of the scene, not of a planner. */
-const OTHERS = ['arm', 'moving']
+const OTHERS = ['arm', 'moving', 'margin', 'height']
 
 /** The stage and its time alone, for a room full of people. */
 export class PresentationStore {
