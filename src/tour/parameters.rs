@@ -133,9 +133,9 @@ pub(super) const MEMBER_DIFFERENT: Member =
 pub(super) const ROADS_LAYER: Layer = layers::ROADS.on_kinds(&[GRID]);
 
 /// What a planner draws whose members hold a tour each.
-pub(super) const fn layers_with(tours: &'static str) -> [Layer; 6] {
+pub(super) const fn layers_with(tours: &'static str) -> [Layer; 7] {
     let all = layers::TOURS.titled("All tours", tours).off().pickable();
-    [ROADS_LAYER, all, layers::TOUR, layers::STOPS, layers::DIFFERENT, layers::AFTER]
+    [ROADS_LAYER, all, layers::TOUR, layers::STOPS, layers::DIFFERENT, layers::AFTER, layers::SUPPOSED]
 }
 
 /// What a planner with one tour draws.

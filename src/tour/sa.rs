@@ -333,6 +333,7 @@ pub const ENTRY: Entry = Entry::new(
     layers::STOPS,
     layers::DIFFERENT,
     layers::AFTER,
+    layers::SUPPOSED,
 ])
 .calls_at_stops()
 .members(MEMBERS)
