@@ -7,7 +7,7 @@ import type { Standard } from '../catalogue/standard'
 import { host } from '../engine/host'
 import { ExperimentsStore } from './experiments.svelte'
 import { Followers } from './followers.svelte'
-import type { Follower } from './following.svelte'
+import { FollowStore } from './follow'
 import { LayersStore } from './layers.svelte'
 import { NoticesStore } from './notices.svelte'
 import { ParametersStore } from './parameters.svelte'
@@ -43,8 +43,6 @@ export class Lab {
   making = $state(false)
   /** The thread is there. */
   private opened = false
-  /** The run was going on when the robot set off. */
-  private resumes = false
 
   private readonly client = new RunClient({
     onopen: () => this.receiveOpen(),
@@ -79,6 +77,7 @@ export class Lab {
     async () => void this.starts.restart(this.playback.requested),
   )
   readonly playback = new PlaybackStore(this.client, this.requests, this.awaited, this.run, this.followers)
+  readonly following = new FollowStore(this.followers, this.playback, this.selection, this.api)
   readonly layers = new LayersStore(this.scene, this.setup, this.parameters, this.run)
   readonly picture = new PictureStore(this.client, this.layers)
 
@@ -188,32 +187,5 @@ export class Lab {
     playback.underway = progress?.generation === this.run.present?.generation ? progress : null
     // Pictures may be ahead of reports.
     if (playback.underway) playback.iteration = playback.underway.step - 1
-  }
-
-  // The robot's drive, or the arm's motion, along the result; the steps within an iteration
-
-  beginDrive = async (): Promise<void> => this.follow(await this.followers.robot(this.api))
-
-  follow = async (follower: Follower): Promise<void> => {
-    this.resumes = this.playback.playing
-    this.followers.unfolded = false
-    if (this.playback.playing) this.playback.pause()
-    this.selection.inspect(null)
-    await follower.begin()
-  }
-
-  /** Back to the run as it was. */
-  leaveDrive = (): void => {
-    this.followers.leave()
-    if (this.resumes) this.playback.play()
-    this.resumes = false
-  }
-
-  /** Shows this iteration step by step. */
-  unfold = (): void => {
-    this.followers.leave()
-    if (this.playback.playing) this.playback.pause()
-    this.selection.inspect(null)
-    this.followers.unfolded = true
   }
 }

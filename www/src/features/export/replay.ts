@@ -13,9 +13,12 @@ import { canvasesOf } from '../stage/canvases'
 export class Replay {
   private readonly display: Display
   private readonly names
-  private arrived: { resolve(report: Report): void; reject(error: Error): void } | null = null
+  private arrived: ((report: Report) => void) | null = null
   private generation = 0
   private closed = false
+  /** Fails when nothing more comes: it was closed, refused, or broke down. */
+  private readonly over: Promise<never>
+  private fail: (message: string) => void = () => undefined
 
   private readonly client = new RunClient(
     {
@@ -46,6 +49,11 @@ export class Replay {
     const { catalogue } = lab.setup
     this.names = catalogue ? namesOf(catalogue, lab.run.drawer) : { layers: [], shapes: [] }
     renderer.show(this.display)
+    // Nobody may be waiting.
+    this.over = new Promise<never>((_, reject) => {
+      this.fail = (message) => reject(new Error(message))
+    })
+    this.over.catch(() => undefined)
   }
 
   /** Null where there is no picture to do it like. */
@@ -67,16 +75,16 @@ export class Replay {
   /** Goes to an iteration; the run may end before. Its picture is the renderer's then. */
   async at(iteration: number): Promise<Report> {
     if (this.closed) throw new Error('closed')
-    const arrived = new Promise<Report>((resolve, reject) => {
-      this.arrived = { resolve, reject }
+    const arrived = new Promise<Report>((resolve) => {
+      this.arrived = resolve
     })
     if (this.generation === 0) this.begin(iteration)
     else this.client.want({ target: { at: iteration, play: false } })
-    const report = await arrived
+    const report = await Promise.race([arrived, this.over])
     const { frame } = report
     if (this.generation === 0) {
       this.generation = report.generation
-      await this.paintHeights()
+      await Promise.race([this.paintHeights(), this.over])
     }
     this.renderer.show({ ...this.display, playing: report.iteration > 0 })
     this.renderer.frame(frame, this.names)
@@ -117,13 +125,7 @@ export class Replay {
       return
     }
     this.arrived = null
-    arrived.resolve(report)
-  }
-
-  private fail(message: string): void {
-    const { arrived } = this
-    this.arrived = null
-    arrived?.reject(new Error(message))
+    arrived(report)
   }
 
   close(): void {

@@ -109,6 +109,7 @@ export const scenes = {
     events: 'Events',
     eventsHelp: 'CSV: a row for each thing that happened or was decided.',
     close: 'Close',
+    making: 'The run is replayed for this picture …',
     failed: 'That could not be exported.',
   },
 } as const
