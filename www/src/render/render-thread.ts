@@ -1,4 +1,5 @@
 /* A thread that draws: one for all canvases of a page. */
+import { useLetters } from './canvas/letters'
 import { CanvasRenderer } from './canvas/renderer'
 import type { Display } from './display'
 import type { Names } from './looks'
@@ -25,6 +26,7 @@ async function letter(canvas: number, address: string): Promise<void> {
   const { fonts } = self as unknown as { fonts?: FontFaceSet }
   try {
     fonts?.add(await new FontFace('Inter', `url("${address}")`, { weight: '100 900' }).load())
+    useLetters()
     for (const { renderer } of canvases.values()) renderer.refresh()
   } catch {
     // The system's are there.

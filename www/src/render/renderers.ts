@@ -1,3 +1,4 @@
+import { useLetters } from './canvas/letters'
 import type { Item, Point } from 'forage-lab'
 import { asking } from './asking'
 import type { CanvasFiles, Display, Ground, Renderer, RendererListeners } from './display'
@@ -122,6 +123,8 @@ export class Renderers {
   /** Gives the thread the letters at this address; resolves when it has them; one that starts later gets them, too. */
   letters(address: string): Promise<void> {
     this.address = address
+    // Where the page draws itself, it has them.
+    useLetters()
     if (!this.worker) return Promise.resolve()
     return new Promise((resolve) => {
       this.lettered = resolve

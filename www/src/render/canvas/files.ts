@@ -1,13 +1,19 @@
 import type { CanvasFiles, Display, Filming, Footer, Ground, Looks } from '../display'
 import type { Encoder, FilmContext } from '../film/encoder'
 import { Palette } from '../palette'
-import { fit, margins } from '../view'
+import type { Point3 } from 'forage-lab'
+import { times } from '../../scene/vector'
+import { fit, toScreen } from '../view'
 import { drawAxisTitles } from './ground'
 import { Painter, partsLoaded, type Present } from './painter'
 import type { Context, Pen } from './pen'
 
 /** Pictures in a file of lines and areas have so many pixels a pixel of the page. */
 const SHARP = 2
+/** Around a workspace, for the numbers of its axes, in pixels. */
+const ROOM = [72, 56] as const
+/** In metres: as from afar. */
+const FAR = 1000
 
 /** What stands below a picture; nothing has no height. */
 async function sheetOf(footer: Footer | undefined, width: number): Promise<{ height: number; draw(pen: Pen, top: number): void }> {
@@ -107,6 +113,7 @@ export class Files implements CanvasFiles {
       painter.beneath(pen, display, heat)
       if (painter.above(pen, display, present)) {
         drawAxisTitles(pen, display.scene)
+        await drawMetres(pen, display)
         return context
       }
       await partsLoaded()
@@ -124,6 +131,22 @@ function contextOf(sheet: OffscreenCanvas, settings?: CanvasRenderingContext2DSe
   return context
 }
 
+/** The numbers of an arm's axes, where it is seen in parallel projection. */
+async function drawMetres(pen: Pen, { scene, space }: Display): Promise<void> {
+  if (scene.kind !== 'arm' || !space) return
+  const [{ drawAxes }, { seen }, { basis }] = await Promise.all([
+    import('../space/labels'),
+    import('../space/projection'),
+    import('../space/orbit'),
+  ])
+  const to = seen(space.angles)
+  const project = (point: Point3): { x: number; y: number } => {
+    const [x, y] = toScreen(pen.view, pen.size, to(point))
+    return { x, y }
+  }
+  drawAxes(pen, { eye: times(basis(space.angles)[2], FAR), project }, scene.workspace)
+}
+
 /** What is seen in space as lines and areas in the plane: in parallel projection, from where it is seen. */
 async function flat(display: Display): Promise<Display> {
   const { scene, size, orbit, posture } = display
@@ -131,6 +154,6 @@ async function flat(display: Display): Promise<Display> {
   const [{ flattened }, { home, stance }] = await Promise.all([import('../space/projection'), import('../space/kinematics')])
   const { skeleton } = stance(scene.arm, posture ?? home(scene.arm))
   const angles = { azimuth: orbit.azimuth, elevation: orbit.elevation }
-  const view = fit(flattened(scene, skeleton, angles).bounds, size, margins(size.width, true))
+  const view = fit(flattened(scene, skeleton, angles).bounds, size, ROOM)
   return { ...display, orbit: undefined, view, space: { angles, skeleton } }
 }

@@ -1,12 +1,11 @@
 import type { Look } from 'forage-lab'
 import { number } from '../../text/number'
 import type { Footer } from '../display'
-import { FONT } from './ground'
+import { fontOf, small } from './letters'
 import { applyStyle, type Pen } from './pen'
 
 /** All in pixels of the page. */
 const [MARGIN, LINE, GAP, SAMPLE] = [12, 16, 14, 22]
-const BOLD = `700 ${FONT}`
 /** Others may see it in wider letters. */
 const SPARE = 0.88
 
@@ -31,7 +30,7 @@ export function laidOut({ caption, legend, link }: Footer, width: number): Sheet
   const room = SPARE * (width - 2 * MARGIN)
   const rows: Row[] = []
   caption.forEach((text, at) => {
-    const font = at === 0 ? BOLD : FONT
+    const font = at === 0 ? fontOf('700 11px') : small()
     for (const line of wrapped(text.split(' '), ' ', (part) => wide(part, font) <= room))
       rows.push({ font, pieces: [{ x: MARGIN, text: line }] })
   })
@@ -39,17 +38,17 @@ export function laidOut({ caption, legend, link }: Footer, width: number): Sheet
   let x = MARGIN
   for (const { title: name, look, line, values = [] } of legend) {
     const title = values.length > 0 ? `${name} (${values.map((value) => number(value, 3)).join(' · ')})` : name
-    const end = x + SAMPLE + 6 + wide(title, FONT)
+    const end = x + SAMPLE + 6 + wide(title, small())
     if (!row || end > MARGIN + room) {
-      row = { font: FONT, pieces: [] }
+      row = { font: small(), pieces: [] }
       rows.push(row)
       x = MARGIN
     }
     row.pieces.push({ x, text: title, look, line })
-    x += SAMPLE + 6 + wide(title, FONT) + GAP
+    x += SAMPLE + 6 + wide(title, small()) + GAP
   }
-  for (const line of wrapped([...link], '', (part) => wide(part, FONT) <= room))
-    rows.push({ font: FONT, pieces: [{ x: MARGIN, text: line }] })
+  for (const line of wrapped([...link], '', (part) => wide(part, small()) <= room))
+    rows.push({ font: small(), pieces: [{ x: MARGIN, text: line }] })
   return { rows, height: 2 * MARGIN + LINE * rows.length }
 }
 

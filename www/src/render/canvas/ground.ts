@@ -1,3 +1,4 @@
+import { fontOf, small } from './letters'
 import type { DiscsScene, Scene } from 'forage-lab'
 import { discOf, ends, type Handle, place, type Plane, same, type Selection } from '../../scene/edits'
 import type { Display } from '../display'
@@ -5,8 +6,6 @@ import type { Context, Pen } from './pen'
 import { type Box, extent, tick, toScene, toScreen } from '../view'
 
 export const HANDLE = 7
-
-export const FONT = '11px Inter, "Segoe UI", system-ui, sans-serif'
 
 /** Lines and numbers of the plane, and the edge of where things happen. */
 export function drawGrid(pen: Pen, scene: Scene, lines: boolean): void {
@@ -18,7 +17,7 @@ export function drawGrid(pen: Pen, scene: Scene, lines: boolean): void {
   const step = tick(view.scale, 64)
   context.setLineDash([])
   context.lineWidth = 1
-  context.font = FONT
+  context.font = small()
   const digits = Math.max(0, -Math.floor(Math.log10(step)))
   const label = (value: number): string => value.toFixed(Math.min(digits, 8)).replace('-', '−')
   const snap = (value: number): number => Math.round(value) + 0.5
@@ -48,7 +47,7 @@ export function drawGrid(pen: Pen, scene: Scene, lines: boolean): void {
 export function drawAxisTitles({ context, size, palette }: Pen, scene: Scene): void {
   if (scene.kind === 'arm' || (scene.kind === 'tour' && !scene.points?.length)) return
   const [x, y] = scene.kind === 'function' ? ['x₁', 'x₂'] : ['x', 'y']
-  context.font = `italic ${FONT}`
+  context.font = fontOf('italic 11px')
   context.fillStyle = palette.get('--ink')
   context.textBaseline = 'middle'
   context.textAlign = 'right'
@@ -126,7 +125,7 @@ export function drawEnds(pen: Pen, scene: Plane, { touring, selection, hover, bl
       context.fillStyle = colour
       context.fill()
     }
-    context.font = `600 12px Inter, "Segoe UI", system-ui, sans-serif`
+    context.font = fontOf('600 12px')
     context.fillStyle = colour
     context.textBaseline = 'middle'
     // Away from the path, where there is room.

@@ -1,3 +1,4 @@
+import { fontOf } from './letters'
 import type { GridScene, Point } from 'forage-lab'
 import { type Handle, same, type Selection } from '../../scene/edits'
 import { movingOf } from '../../scene/moving'
@@ -154,7 +155,7 @@ function ways(pen: Pen, points: readonly Point[], colour: string): void {
 
 function number({ context, palette }: Pen, { now: [x, y], radius, heading }: Seen, label: string, colour: string): void {
   const inside = radius >= NUMBERED
-  context.font = '600 11px Inter, "Segoe UI", system-ui, sans-serif'
+  context.font = fontOf('600 11px')
   context.textAlign = 'center'
   context.textBaseline = 'middle'
   // Where the arrow isn't.

@@ -1,3 +1,4 @@
+import { fontOf } from './letters'
 import type { Point } from 'forage-lab'
 import type { Pose, Track } from '../../scene/track'
 import type { Pen } from './pen'
@@ -7,7 +8,6 @@ import { rise, toScreen } from '../view'
 const LEAST = 7
 /** Rows of the track that lie nearer to each other than this aren't told apart. */
 const APART = 0.75
-const FONT = '600 12px Inter, "Segoe UI", system-ui, sans-serif'
 
 interface Names {
   touches: string
@@ -106,7 +106,7 @@ function cross({ context, view, size, palette }: Pen, at: Point, name: string): 
   context.lineWidth = 2.25
   context.stroke()
   const leftwards = x > size.width - 120
-  context.font = FONT
+  context.font = fontOf('600 12px')
   context.textAlign = leftwards ? 'right' : 'left'
   context.textBaseline = 'middle'
   context.lineWidth = 4

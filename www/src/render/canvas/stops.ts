@@ -1,3 +1,4 @@
+import { fontOf } from './letters'
 import type { Scene } from 'forage-lab'
 import { ends, type Handle, same, type Selection } from '../../scene/edits'
 import { stopsOf } from '../../scene/stops'
@@ -78,7 +79,7 @@ export function drawStops(pen: Pen, scene: Scene, { places, selection, hover, bl
     context.stroke()
     if (radius === DISC) {
       const label = String((places ? place : index) + 1)
-      context.font = `${places ? 600 : 500} ${label.length > 2 ? 9 : 11}px Inter, "Segoe UI", system-ui, sans-serif`
+      context.font = fontOf(`${places ? 600 : 500} ${label.length > 2 ? 9 : 11}px`)
       context.fillStyle = palette.get(wrong ? '--danger' : places ? '--stop' : '--ink-2')
       context.fillText(label, x, y + 0.5)
     }

@@ -1,7 +1,8 @@
 /* Charts as files: drawn at a size of their own, with titles on their axes, a legend and a caption. */
 import type { Footer } from '../display'
 import { drawFooter, laidOut } from '../canvas/footer'
-import { FONT, plate } from '../canvas/ground'
+import { plate } from '../canvas/ground'
+import { small } from '../canvas/letters'
 import type { Context, Pen } from '../canvas/pen'
 import { colorOf, Palette, type Theme } from '../palette'
 import { PLAIN } from '../looks'
@@ -85,7 +86,7 @@ function ticksOf({ range: [low, high], splits, label }: Axis, length: number, ap
 function widthOf(text: string): number {
   const scratch = new OffscreenCanvas(1, 1).getContext('2d')
   if (!scratch) return 7 * text.length
-  scratch.font = FONT
+  scratch.font = small()
   return scratch.measureText(text).width
 }
 
@@ -100,7 +101,7 @@ function paint(pen: Pen, { x, y, height, strip, draw }: Figure): void {
 
   context.fillStyle = palette.get('--stage')
   context.fillRect(0, 0, size.width, size.height)
-  context.font = FONT
+  context.font = small()
   context.setLineDash([])
   context.lineWidth = 1
   context.strokeStyle = palette.get('--line')
@@ -223,7 +224,7 @@ function trace({ context, x, y }: Area, xs: readonly number[], ys: readonly (num
 
 /** A name on a ground of its own. */
 export function named({ context, palette }: Area, text: string, x: number, y: number): void {
-  context.font = FONT
+  context.font = small()
   context.fillStyle = palette.get('--ink')
   context.textAlign = 'left'
   context.textBaseline = 'middle'

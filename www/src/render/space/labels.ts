@@ -1,8 +1,9 @@
 import type { Cuboid, Point3 } from 'forage-lab'
 import { space } from '../../locales/en/space'
 import { plus, times } from '../../scene/vector'
-import { FONT, plate } from '../canvas/ground'
-import type { CanvasPen } from '../canvas/pen'
+import { plate } from '../canvas/ground'
+import { small } from '../canvas/letters'
+import type { CanvasPen, Pen } from '../canvas/pen'
 import { tick } from '../view'
 import { ticks } from './room'
 import type { Camera } from './camera'
@@ -11,6 +12,10 @@ import type { Camera } from './camera'
 const APART = 46
 const BESIDE = 15
 const TITLE = 34
+const LETTER = 7
+
+/** From where something is seen, and where it is seen then: by a camera, or in parallel projection. */
+export type Eye = Pick<Camera, 'eye'> & { project(point: Point3): { x: number; y: number } | null }
 
 /** An edge of the workspace along an axis. */
 interface Edge {
@@ -20,9 +25,9 @@ interface Edge {
 }
 
 /** The numbers along three edges of the workspace, in metres: on the floor the ones nearest to the eye, and an upright one at the side. */
-export function drawAxes(pen: CanvasPen, camera: Camera, box: Cuboid): void {
+export function drawAxes(pen: Pen, camera: Eye, box: Cuboid): void {
   const { context, palette } = pen
-  context.font = FONT
+  context.font = small()
   context.textBaseline = 'middle'
   context.setLineDash([])
   const middle = camera.project([(box.min[0] + box.max[0]) / 2, (box.min[1] + box.max[1]) / 2, (box.min[2] + box.max[2]) / 2])
@@ -67,18 +72,19 @@ export function drawAxes(pen: CanvasPen, camera: Camera, box: Cuboid): void {
     context.fillStyle = palette.get('--ink')
     const title = `${space.axes[axis]} / ${space.unit}`
     plate(context, palette.get('--stage'), title, ...inside(pen, title, (a.x + b.x) / 2 + TITLE * nx, (a.y + b.y) / 2 + TITLE * ny))
-    context.font = FONT
+    context.font = small()
   }
 }
 
 /** Where a text is seen whole. */
-function inside({ context, size }: CanvasPen, text: string, x: number, y: number): [number, number] {
-  const width = context.measureText(text).width + 6
+function inside({ context, size }: Pen, text: string, x: number, y: number): [number, number] {
+  // A file does not know how wide its letters are.
+  const width = ('measureText' in context ? (context as CanvasPen['context']).measureText(text).width : LETTER * text.length) + 6
   const before = { left: 0, center: width / 2, right: width }[context.textAlign as 'left' | 'center' | 'right']
   return [Math.min(Math.max(x, before), size.width - width + before), Math.min(Math.max(y, 10), size.height - 10)]
 }
 
-function edges(camera: Camera, { min, max }: Cuboid): Edge[] {
+function edges(camera: Eye, { min, max }: Cuboid): Edge[] {
   const near = (axis: 0 | 1): number =>
     Math.abs(camera.eye[axis] - min[axis]) < Math.abs(camera.eye[axis] - max[axis]) ? min[axis] : max[axis]
   const [x, y, floor] = [near(0), near(1), min[2]]
@@ -99,7 +105,7 @@ function edges(camera: Camera, { min, max }: Cuboid): Edge[] {
 }
 
 /** How steep an edge is on the screen. */
-function slope(camera: Camera, { from, to }: Edge): number {
+function slope(camera: Eye, { from, to }: Edge): number {
   const [a, b] = [camera.project(from), camera.project(to)]
   return a && b ? Math.abs(a.y - b.y) / Math.max(1, Math.abs(a.x - b.x)) : 0
 }

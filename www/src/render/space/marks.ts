@@ -1,3 +1,4 @@
+import { fontOf } from '../canvas/letters'
 import type { ArmScene, Point3 } from 'forage-lab'
 import { whereIs } from '../../scene/arm'
 import type { Selection } from '../../scene/edits'
@@ -11,7 +12,6 @@ import type { Camera } from './camera'
 
 /** How much of a mark is seen that something stands before. */
 const BEHIND = 0.4
-const BOLD = '600 12px Inter, "Segoe UI", system-ui, sans-serif'
 /** Half the side of a face's handle, and the length of the lifting arrow's head. */
 const [KNOB, HEAD] = [5.5, 6]
 
@@ -50,7 +50,7 @@ export function drawEnds(pen: CanvasPen, camera: Camera, { scene, selection, hov
     context.globalAlpha = 1
     const ring = selection?.kind === kind ? '--focus' : hover?.kind === kind ? '--line-strong' : null
     if (ring) circle(pen, seen.x, seen.y, HANDLE + 4, palette.get(ring))
-    context.font = BOLD
+    context.font = fontOf('600 12px')
     context.fillStyle = colour
     context.textBaseline = 'middle'
     const right = seen.x < size.width / 2
@@ -119,7 +119,7 @@ export function drawHandles(pen: CanvasPen, camera: Camera, { scene, selection, 
 function told({ context, palette }: CanvasPen, camera: Camera, at: Readonly<Point3>, top: Readonly<Point3>): void {
   const seen = camera.project([at[0], at[1], top[2]])
   if (!seen) return
-  context.font = BOLD
+  context.font = fontOf('600 12px')
   context.textAlign = 'left'
   context.textBaseline = 'middle'
   context.fillStyle = palette.get('--ink')
