@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs'
 import { readFile } from 'node:fs/promises'
 import type { UncheckedSetup } from 'forage-lab'
 import { catalogue } from '../../pkg/node.js'
@@ -15,6 +16,7 @@ const RUNS: readonly [setup: UncheckedSetup, iteration: number][] = [
   [{ planner: 'hybrid-bat', scene: 'random-52', seed: 1 }, 10],
   [{ planner: 'pso', scene: 'sphere-2', seed: 1, params: { population: 4000 } }, 2],
 ]
+const LETTERS = `data:font/woff2;base64,${readFileSync('node_modules/@fontsource-variable/inter/files/inter-latin-wght-normal.woff2').toString('base64')}`
 /** Channels that differ by more than this differ: edges are smoothed by two programs. */
 const NOTICED = 40
 
@@ -41,7 +43,11 @@ for (const [setup, iteration] of RUNS) {
 
     const viewer = await context.newPage()
     await viewer.setViewportSize({ width: Math.ceil(width), height: Math.ceil(height) })
-    await viewer.setContent(`<body style="margin:0">${svg}`)
+    // It is set in the same letters.
+    await viewer.setContent(
+      `<style>@font-face{font-family:Inter;font-weight:100 900;src:url(${LETTERS})}</style><body style="margin:0">${svg}`,
+    )
+    await viewer.evaluate(() => document.fonts.load('600 12px Inter'))
     const seen = await viewer.screenshot({ clip: { x: 0, y: 0, width: Math.floor(width), height: Math.floor(height) } })
     await viewer.close()
 
