@@ -69,31 +69,31 @@ const CHOICE: Formula = Formula::of_item(
     "choice",
     "[ANTBAT] (3)",
     "Choice",
-    "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_j^{\\beta} \\, \\psi_{ij}^{\\gamma}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_s^{\\beta} \\, \\psi_{is}^{\\gamma}}",
-    "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@} \\cdot @psi@^{@gamma@}}{@sum@} = @p@",
+    "p_{ij} = \\frac{\\class{step}{\\tau_{ij}^{\\alpha} \\, \\eta_j^{\\beta} \\, \\psi_{ij}^{\\gamma}}}{\\class{candidates}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_s^{\\beta} \\, \\psi_{is}^{\\gamma}}}",
+    "p = \\frac{\\class{step}{@tau@^{@alpha@} \\cdot @eta@^{@beta@} \\cdot @psi@^{@gamma@}}}{\\class{candidates}{@sum@}} = @p@",
 );
 const DIRECTION: Formula = Formula::of_item(
     "direction",
     "[ANTBAT] (2)",
     "Direction",
-    "\\psi = \\exp\\left(-\\left(\\left(\\frac{\\theta_1}{\\pi}\\right)^2 + \\left(\\frac{\\theta_2}{\\pi}\\right)^2\\right)\\right)",
-    "\\psi = \\exp\\left(-\\frac{@theta1@^2 + @theta2@^2}{\\pi^2}\\right) = @psi@",
+    "\\psi = \\exp\\left(-\\left(\\left(\\frac{\\class{way}{\\theta_1}}{\\pi}\\right)^2 + \\left(\\frac{\\class{to-goal}{\\theta_2}}{\\pi}\\right)^2\\right)\\right)",
+    "\\psi = \\exp\\left(-\\frac{\\class{way}{@theta1@}^2 + \\class{to-goal}{@theta2@}^2}{\\pi^2}\\right) = @psi@",
 )
 .when(DIRECTION_LAW, "squared");
 const DIRECTION_LINEAR: Formula = Formula::of_item(
     "direction_linear",
     "[ANTBAT] (2), linear reading",
     "Direction",
-    "\\psi = \\exp\\left(-\\left(\\frac{\\theta_1}{\\pi/2} + \\frac{\\theta_2}{\\pi/2}\\right)\\right)",
-    "\\psi = \\exp\\left(-\\frac{@theta1@ + @theta2@}{\\pi/2}\\right) = @psi@",
+    "\\psi = \\exp\\left(-\\left(\\frac{\\class{way}{\\theta_1}}{\\pi/2} + \\frac{\\class{to-goal}{\\theta_2}}{\\pi/2}\\right)\\right)",
+    "\\psi = \\exp\\left(-\\frac{\\class{way}{@theta1@} + \\class{to-goal}{@theta2@}}{\\pi/2}\\right) = @psi@",
 )
 .when(DIRECTION_LAW, "linear");
 const REWARD: Formula = Formula::of_item(
     "laid",
     "[ANTBAT] (5)",
     "What an ant lays",
-    "\\Delta\\tau^k = \\frac{Q}{L_k} + \\varphi_1 \\frac{L_{\\text{median}} - L_k}{L_{\\text{median}}} + \\varphi_2 \\frac{L_{\\text{global}} - L_k}{L_{\\text{global}}}",
-    "\\Delta\\tau = \\frac{@q@}{@length@} + @phi1@ \\cdot \\frac{@median@ - @length@}{@median@} + @phi2@ \\cdot \\frac{@global@ - @length@}{@global@} = @laid@",
+    "\\Delta\\tau^k = \\frac{Q}{\\class{way}{L_k}} + \\varphi_1 \\frac{L_{\\text{median}} - \\class{way}{L_k}}{L_{\\text{median}}} + \\varphi_2 \\frac{\\class{best}{L_{\\text{global}}} - \\class{way}{L_k}}{\\class{best}{L_{\\text{global}}}}",
+    "\\Delta\\tau = \\frac{@q@}{\\class{way}{@length@}} + @phi1@ \\cdot \\frac{@median@ - \\class{way}{@length@}}{@median@} + @phi2@ \\cdot \\frac{\\class{best}{@global@} - \\class{way}{@length@}}{\\class{best}{@global@}} = @laid@",
 );
 
 const OWN: &[Parameter] = &[

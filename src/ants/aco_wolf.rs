@@ -45,15 +45,15 @@ pub(crate) const CHOICE: Formula = Formula::of_item(
     "choice",
     "[WOLF-ANT] (4)",
     "Choice",
-    "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}",
-    "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
+    "p_{ij} = \\frac{\\class{step}{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}}{\\class{candidates}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}}",
+    "p = \\frac{\\class{step}{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}}{\\class{candidates}{@sum@}} = @p@",
 );
 pub(crate) const RANKED: Formula = Formula::of_item(
     "ranked",
     "[WOLF-ANT] (6)",
     "Sight by rank",
-    "\\eta_{ij} = \\varepsilon \\cdot (5, 4, 4, 3, 3, 2, 2, 1) \\text{ by distance to the goal}",
-    "\\eta = @epsilon@ \\cdot @rank@ = @eta@",
+    "\\eta_{ij} = \\varepsilon \\cdot (5, 4, 4, 3, 3, 2, 2, 1) \\text{ by } \\class{to-goal}{\\text{distance to the goal}}",
+    "\\eta = @epsilon@ \\cdot \\class{to-goal}{@rank@} = @eta@",
 );
 const PHEROMONE: Formula = Formula::new(
     "pheromone",
@@ -66,8 +66,8 @@ pub(crate) const LAID: Formula = Formula::of_item(
     "laid_shares",
     "[WOLF-ANT] (9), (11), (12)",
     "What an ant lays",
-    "\\Delta\\tau^a = \\frac{Q}{L_a}, \\quad \\Delta\\tau_{\\text{best}} = \\delta \\frac{Q}{L_{\\text{best}}}, \\quad \\Delta\\tau_{\\text{worst}} = \\omega \\frac{Q}{L_{\\text{worst}}}",
-    "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{@length@} = @laid@",
+    "\\Delta\\tau^a = \\frac{Q}{\\class{way}{L_a}}, \\quad \\Delta\\tau_{\\text{best}} = \\delta \\frac{Q}{L_{\\text{best}}}, \\quad \\Delta\\tau_{\\text{worst}} = \\omega \\frac{Q}{L_{\\text{worst}}}",
+    "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{\\class{way}{@length@}} = @laid@",
 );
 
 const AS_IN_PAPER: Preset = Preset::new(

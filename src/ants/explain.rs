@@ -31,23 +31,38 @@ struct View<'a> {
     directed: bool,
 }
 
+/// What can be left out of the product by which an ant chooses.
+const PHEROMONE: Label = label!("ants-without-pheromone", "pheromone", "\\alpha = 0", "without pheromone");
+const SIGHT: Label = label!("ants-without-sight", "sight", "\\beta = 0", "without sight");
+const DIRECTION: Label = label!("ants-without-direction", "direction", "\\gamma = 0", "without direction");
+
 impl<'a> View<'a> {
-    fn new(colony: &'a Colony, cell: usize) -> Self {
+    fn new(colony: &'a Colony, cell: usize, without: Option<&str>) -> Self {
         let ground = &*colony.ground;
         let (from, behind) = arrival(colony, cell);
         // Where it has been it does not go again.
         let open = |d: usize| !behind.contains(&ground.cells.next(cell, d));
         let moves = ground.cells.moves(cell);
         let allowed = (0..8).filter(|&d| moves >> d & 1 != 0 && open(d)).fold(0, |mask, d| mask | 1 << d);
-        let weights = colony.pheromone.look(ground, cell);
-        let weight: [f64; 8] = std::array::from_fn(|d| if allowed >> d & 1 == 0 { 0.0 } else { weights[d] * ground.turn[from][d] });
+        let eta = ground.eta(cell);
+        let known = colony.pheromone.look(ground, cell);
+        let factor = |label: Label, is: f64| if without == Some(label.name) { 1.0 } else { is };
+        let weight = std::array::from_fn(|d| match without {
+            _ if allowed >> d & 1 == 0 => 0.0,
+            None => known[d] * ground.turn[from][d],
+            Some(_) => {
+                let [turn, off] = [theta1(from, d), ground.theta2(cell, d)].map(|theta| ground.direction.exponent(theta));
+                let seen = factor(PHEROMONE, colony.pheromone.pull(cell, d)) * factor(SIGHT, ground.beta.of(eta[d]));
+                seen * factor(DIRECTION, math::exp(-ground.gamma * (turn + off)))
+            }
+        });
         Self {
             colony,
             ground,
             cell,
             from,
             allowed,
-            eta: ground.eta(cell),
+            eta,
             weight,
             sum: weight.iter().sum(),
             directed: colony.variant.gamma != 0.0 || matches!(colony.variant.update, Update::Reward { .. }),
@@ -155,21 +170,45 @@ impl<'a> View<'a> {
         formulas
     }
 
-    fn mark(&self) -> Mark {
-        let cells = &*self.ground.cells;
-        let likely = (0..8).filter(|&d| self.share(d) > 0.001);
-        let vertices = likely.flat_map(|d| [cells.centre(self.cell), cells.centre(cells.next(self.cell, d))]).collect();
-        Mark::plane(layers::CANDIDATES.key, Shape::Segments, vertices)
+    /// A step as it is drawn.
+    fn segment(&self, d: usize) -> [[f64; 2]; 2] {
+        [self.cell, self.ground.cells.next(self.cell, d)].map(|cell| self.ground.cells.centre(cell))
+    }
+
+    /// The way that leads here, the steps that are likely, the likeliest, and how far it is from there to the goal.
+    fn marks(&self, chosen: usize) -> Vec<Mark> {
+        let ground = self.ground;
+        let likely = (0..8).filter(|&d| self.share(d) > 0.001).flat_map(|d| self.segment(d)).collect();
+        let [_, there] = self.segment(chosen);
+        let mut marks = vec![
+            Mark::plane(layers::CANDIDATES.key, Shape::Segments, likely),
+            Mark::plane(layers::STEP.key, Shape::Segments, self.segment(chosen).to_vec()),
+        ];
+        if self.directed || !matches!(ground.heuristic, Heuristic::Own(_)) {
+            marks.push(Mark::plane(layers::TO_GOAL.key, Shape::Segments, vec![there, ground.cells.centre(ground.endpoints.goal)]));
+        }
+        if self.from != NOWHERE {
+            let way = self.colony.best.iter().flat_map(|best| ground.way(&best.directions)).take_while(|&cell| cell != self.cell);
+            let path = way.chain([self.cell]).map(|cell| ground.cells.centre(cell)).collect();
+            marks.push(Mark::plane(layers::WAY.key, Shape::Polyline, path));
+        }
+        marks
+    }
+
+    /// What can be left out of the product.
+    fn suppositions(&self) -> Vec<Label> {
+        let exponents = [self.colony.pheromone.exponent(), self.ground.beta.exponent, self.ground.gamma];
+        [PHEROMONE, SIGHT, DIRECTION].into_iter().zip(exponents).filter(|&(_, exponent)| exponent != 0.0).map(|(label, _)| label).collect()
     }
 }
 
-/// The eight neighbours of a cell with τ, η, ψ and the probability of each.
-pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
+/// The eight neighbours of a cell with τ, η, ψ and the probability of each; one of the three may be left out.
+pub(super) fn cell(colony: &Colony, item: Item, without: Option<&str>) -> Option<Inspection> {
     let cells = &*colony.ground.cells;
     if item.index >= cells.len() {
         return None;
     }
-    let view = View::new(colony, item.index);
+    let view = View::new(colony, item.index, without);
     let likeliest = view.likeliest();
     let (event, summary) = match likeliest {
         _ if !cells.is_free(item.index) => ("blocked", message!("ants-cell-blocked", "No ant comes here: the cell is blocked.")),
@@ -199,7 +238,11 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
         columns: view.columns(),
         labels: (0..8).map(|d| words::compass(cells, d)).collect(),
         rows: (0..8).map(|d| view.row(d)).collect(),
-        marks: choice.map_or(Vec::new(), |_| vec![view.mark()]),
+        marks: choice.map_or(Vec::new(), |d| match without {
+            None => view.marks(d),
+            Some(_) => vec![Mark::plane(layers::JUMP.key, Shape::Segments, view.segment(d).to_vec())],
+        }),
+        suppositions: choice.map_or(Vec::new(), |_| view.suppositions()),
         ..Inspection::new(item, words::cell(cells, item.index), event, summary)
     })
 }
@@ -211,14 +254,19 @@ fn arrival(colony: &Colony, cell: usize) -> (usize, Vec<usize>) {
     way.get(behind.len().wrapping_sub(1)).map_or((NOWHERE, Vec::new()), |&d| (usize::from(d), behind))
 }
 
-/// An ant that walks as the next iteration's do, with other random numbers.
-pub(super) fn other_ant(colony: &Colony, item: Item, others: &Stream) -> Option<Inspection> {
+/// An ant that walks as the next iteration's do, with other random numbers or by sight alone.
+pub(super) fn other_ant(colony: &Colony, item: Item, supposition: &str, others: &Stream) -> Option<Inspection> {
     let mut next = colony.clone();
     next.rng.clone_from(others);
+    if supposition == PHEROMONE.name {
+        next.pheromone.wipe();
+    }
     next.iteration += 1;
     next.walks.clear();
     next.send();
-    next.walks.ants.first().filter(|_| item.index < colony.ants).map(|ant| walked(&next, item, ant))
+    let mut told = next.walks.ants.first().filter(|_| item.index < colony.ants).map(|ant| walked(&next, item, ant))?;
+    told.marks.iter_mut().for_each(|mark| mark.layer = layers::AFTER.key);
+    Some(told)
 }
 
 /// How far an ant of this iteration came and what it laid.
@@ -251,6 +299,7 @@ fn walked(colony: &Colony, item: Item, ant: &Ant) -> Inspection {
     };
     let mut values = Vec::new();
     let mut formulas = Vec::new();
+    let mut marks = vec![Mark::plane(layers::WAY.key, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)];
     if ant.end == End::Arrived {
         values.extend([
             label!("ants-length", "length", "L", "length of its way").is(ant.length),
@@ -261,6 +310,9 @@ fn walked(colony: &Colony, item: Item, ant: &Ant) -> Inspection {
             Update::Traditional | Update::Own(_) => {}
             Update::Reward { phi1, phi2 } => {
                 let global = colony.best.as_ref().map_or(ant.length, |best| best.length);
+                if let Some(best) = &colony.best {
+                    marks.push(Mark::plane(layers::BEST.key, Shape::Polyline, best.way.path.clone()));
+                }
                 let mut lengths: Vec<_> = colony.walks.arrived().map(|ant| ant.length).collect();
                 values.extend([
                     label!("ants-reward-median", "phi1", "\\varphi_1", "reward by the median").is(phi1),
@@ -283,8 +335,8 @@ fn walked(colony: &Colony, item: Item, ant: &Ant) -> Inspection {
     Inspection {
         values,
         formulas,
-        marks: vec![Mark::plane(layers::AFTER.key, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)],
-        suppositions: vec![label!("ants-other-random-numbers", "random", "r", "with other random numbers")],
+        marks,
+        suppositions: vec![label!("ants-other-random-numbers", "random", "r", "with other random numbers"), PHEROMONE],
         ..Inspection::new(item, message!("ants-ant", "Ant {i}", i), event, summary)
     }
 }

@@ -102,17 +102,22 @@ pub(super) const CHOICE: Formula = Formula::of_item(
     "choice",
     "[ANTBAT] (1)",
     "Choice",
-    "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}",
-    "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
+    "p_{ij} = \\frac{\\class{step}{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}}{\\class{candidates}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}}",
+    "p = \\frac{\\class{step}{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}}{\\class{candidates}{@sum@}} = @p@",
 );
-pub(super) const DISTANCE: Formula =
-    Formula::of_item("distance", "[ANTBAT] §3.1", "Sight", "\\eta_j = \\frac{1}{d(j, \\text{goal})}", "\\eta = \\frac{1}{@d@} = @eta@");
+pub(super) const DISTANCE: Formula = Formula::of_item(
+    "distance",
+    "[ANTBAT] §3.1",
+    "Sight",
+    "\\eta_j = \\frac{1}{\\class{to-goal}{d(j, \\text{goal})}}",
+    "\\eta = \\frac{1}{\\class{to-goal}{@d@}} = @eta@",
+);
 pub(super) const TRADITIONAL: Formula = Formula::of_item(
     "laid",
     "[ANTBAT] §3.1",
     "What an ant lays",
-    "\\Delta\\tau^k = \\frac{Q}{L_k}",
-    "\\Delta\\tau = \\frac{@q@}{@length@} = @laid@",
+    "\\Delta\\tau^k = \\frac{Q}{\\class{way}{L_k}}",
+    "\\Delta\\tau = \\frac{@q@}{\\class{way}{@length@}} = @laid@",
 );
 pub(super) const EVAPORATION: Formula = Formula::new(
     "evaporation",
@@ -133,7 +138,9 @@ pub(super) const LAYERS: &[Layer] = &[
     layers::BEST.titled("Shortest", "The shortest way so far: the result."),
     layers::SMOOTHED.titled("Smoothed", "The shortest way without redundant nodes: the result that is handed over.").when("smooth", "true"),
     layers::CANDIDATES,
-    layers::AFTER,
+    layers::WAY,
+    layers::TO_GOAL,
+    layers::STEP,
     layers::SUPPOSED,
 ];
 

@@ -100,6 +100,17 @@ impl Pheromone {
         weighed(self.alpha, &std::array::from_fn(|d| self.tau(cell, d)), &ground.attraction(cell))
     }
 
+    /// τ^α of a step.
+    pub fn pull(&self, cell: usize, direction: usize) -> f64 {
+        self.alpha.of(self.tau(cell, direction))
+    }
+
+    /// The same lies on every step.
+    pub fn wipe(&mut self) {
+        self.place.fill(UNKNOWN);
+        self.known.clear();
+    }
+
     /// The same pheromone under ants that see the cells otherwise: with another goal, or where other steps are allowed.
     pub fn seen_from(&self, ground: &Ground) -> Self {
         let mut other = self.clone();

@@ -83,13 +83,17 @@ impl Planner for Colony {
 impl Explain for Colony {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         match item.layer {
-            layer if layer == layers::PHEROMONE.key => explain::cell(self, item),
+            layer if layer == layers::PHEROMONE.key => explain::cell(self, item, None),
             layer if layer == layers::ANTS.key => explain::ant(self, item),
             _ => None,
         }
     }
 
-    fn suppose(&self, item: Item, _supposition: &str, others: &Stream) -> Option<Inspection> {
-        explain::other_ant(self, item, others)
+    fn suppose(&self, item: Item, supposition: &str, others: &Stream) -> Option<Inspection> {
+        explain::other_ant(self, item, supposition, others)
+    }
+
+    fn suppose_now(&self, item: Item, supposition: &str) -> Option<Inspection> {
+        (item.layer == layers::PHEROMONE.key).then(|| explain::cell(self, item, Some(supposition)))?
     }
 }

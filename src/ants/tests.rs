@@ -61,7 +61,7 @@ fn probabilities_follow_the_formula() {
     let mut colony = colony(&scene, PLAIN);
     // From (0, 0): east (1, 0) is √2 from (2, 1), south-east (1, 1) is 1 from it, south (0, 1) is 2 from it.
     colony.pheromone.favour(&colony.ground, 0, 0, 3.0);
-    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 0 }).unwrap();
+    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 0 }, None).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     let (east, diagonal, south) = (3.0 * 0.5, 1.0, 0.25);
     let sum = east + diagonal + south;
@@ -301,10 +301,41 @@ fn a_cell_s_card_leaves_out_what_lies_behind() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
     let mut colony = colony(&scene, PLAIN);
     colony.advance();
-    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }).unwrap();
+    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }, None).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     assert_eq!((p[0], p[4]), (1.0, 0.0));
     assert!(told.summary.text().contains("coming from the west"));
+}
+
+/// Each factor of (3) can be left out: what is left is divided by its own sum.
+#[test]
+fn a_cell_without_one_of_its_factors_is_the_product_of_the_others() {
+    let mut run = run(&crate::shipped("ant-bat-30").unwrap(), "aco-direction", &[("iterations", "20"), ("beta", "2")], 4);
+    run.step(20);
+    let item = Item { layer: layers::PHEROMONE.key, index: 26 * 30 + 1 };
+    let told = run.inspect(item).unwrap();
+    let column = |told: &crate::kernel::Inspection, name: &str| -> Vec<f64> {
+        let k = told.columns.iter().position(|label| label.name == name).unwrap();
+        told.rows.iter().map(|row| row[k]).collect()
+    };
+    let [tau, eta, psi] = ["tau", "eta", "psi"].map(|name| column(&told, name));
+    let exponent = |name: &str| told.values.iter().find(|value| value.label.name == name).unwrap().value;
+    let exponents = ["alpha", "beta", "gamma"].map(exponent);
+    for (k, name) in ["pheromone", "sight", "direction"].into_iter().enumerate() {
+        let weights: Vec<f64> = (0..8)
+            .map(|d| {
+                let factors = [tau[d], eta[d], psi[d]];
+                let kept = (0..3).filter(|&j| j != k).map(|j| crate::math::pow(factors[j], exponents[j]));
+                if eta[d] > 0.0 { kept.product() } else { 0.0 }
+            })
+            .collect();
+        let sum: f64 = weights.iter().sum();
+        let supposed = run.suppose(item, name, 0).unwrap().unwrap();
+        for (p, weight) in column(&supposed, "p").into_iter().zip(weights) {
+            assert!((p - weight / sum).abs() < 1e-12, "{name}: {p} is not {}", weight / sum);
+        }
+        assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key && mark.vertices.len() == 2));
+    }
 }
 
 #[test]

@@ -198,6 +198,9 @@ pub const ROBOT: Layer = layer("robot", "Robot", "The robot, and where it is hea
 const CANDIDATES_LOOK: Look = Look { opacity: [0.8, 0.8], ..look("ant", 1.75, 49) };
 const BEFORE_LOOK: Look = Look { point: 6.0, opacity: [0.7, 0.7], dash: &[3.0, 3.0], ..look("ink", 1.5, 50) };
 const AFTER_LOOK: Look = Look { point: 7.0, ..look("ink", 2.0, 51) };
+const WAY_LOOK: Look = Look { point: 7.0, ..look("attractor", 2.0, 50) };
+const TO_GOAL_LOOK: Look = Look { dash: &[4.0, 3.0], ..look("mean", 1.75, 50) };
+const STEP_LOOK: Look = look("selected", 2.75, 52);
 const INERTIA_LOOK: Look = look("inertia", 2.0, 52);
 const COGNITIVE_LOOK: Look = look("cognitive", 2.0, 53);
 const SOCIAL_LOOK: Look = look("social", 2.0, 54);
@@ -211,6 +214,13 @@ pub const CANDIDATES: Layer = layer("candidates", "Candidates", "The steps to ch
 pub const BEFORE: Layer = layer("before", "Before", "Where it was.", &BEFORE_LOOK).inspection();
 /// The item's position after the step.
 pub const AFTER: Layer = layer("after", "After", "Where it is.", &AFTER_LOOK).inspection();
+/// The way that leads to the item, or that it has gone.
+pub const WAY: Layer = layer("way", "Way", "The way that leads there.", &WAY_LOOK).inspection();
+/// What is still ahead: to the goal, as if nothing were in the way.
+pub const TO_GOAL: Layer =
+    layer("to-goal", "To the goal", "What is still ahead, as if nothing were in the way.", &TO_GOAL_LOOK).inspection();
+/// One step: the likeliest, or the last one of a way.
+pub const STEP: Layer = layer("step", "Step", "One step of the way.", &STEP_LOOK).inspection();
 /// The inertia term: what is left of the old velocity.
 pub const INERTIA: Layer = layer("inertia", "Inertia", "What is left of its old velocity.", &INERTIA_LOOK).inspection();
 /// The cognitive term: the pull toward the personal best.

@@ -3,7 +3,7 @@
 use crate::{
     describe::layers,
     geometry::closest_approach,
-    kernel::{Inspection, Item, Mark, Message, Readings, Shape},
+    kernel::{Inspection, Item, Label, LayerKey, Mark, Message, Readings, Shape},
     label, message,
 };
 
@@ -65,21 +65,36 @@ pub(super) fn why_not(journey: &Journey, limit: &str) -> Message {
 
 pub(super) fn inspect(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     match item.layer {
-        layer if layer == layers::MOVING.key => obstacle(dynamic, item),
+        layer if layer == layers::MOVING.key => obstacle(dynamic, item, None),
         layer if layer == layers::EVENTS.key => event(dynamic.journey.as_ref()?, item),
         _ => dynamic.route.inspect(item),
     }
 }
 
-/// When an obstacle and the robot come nearest if both go on as they go now.
-fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
+pub(super) fn suppose(dynamic: &Dynamic, item: Item, supposition: &str) -> Option<Inspection> {
+    if item.layer == layers::MOVING.key { obstacle(dynamic, item, Some(supposition)) } else { dynamic.route.suppose(item, supposition) }
+}
+
+/// One of the two that come nearer.
+const IT_STANDS: Label = label!("drive-obstacle-stands", "obstacle", "v_o = 0", "if it stood still");
+const ROBOT_STANDS: Label = label!("drive-robot-stands", "robot", "v_r = 0", "if the robot stood still");
+
+/// When an obstacle and the robot come nearest if both go on as they go now, or one of them stands still.
+fn obstacle(dynamic: &Dynamic, item: Item, supposed: Option<&str>) -> Option<Inspection> {
     let ground = &*dynamic.ground;
     let (grid, body) = (&ground.grid, &ground.body);
     let disc = grid.moving.get(item.index)?;
     let journey = dynamic.journey.as_deref();
     let now = journey.map_or(0.0, |journey| journey.now);
-    let (at, going) = journey.map_or((ground.endpoints.ends[0], [0.0; 2]), |journey| (journey.pose.at, journey.velocity()));
-    let leg = disc.leg(now, body.border, grid.bounds());
+    let (at, mut going) = journey.map_or((ground.endpoints.ends[0], [0.0; 2]), |journey| (journey.pose.at, journey.velocity()));
+    let mut leg = disc.leg(now, body.border, grid.bounds());
+    let moves = [(IT_STANDS, leg.velocity), (ROBOT_STANDS, going)].into_iter().filter(|&(_, velocity)| velocity != [0.0; 2]);
+    let suppositions = moves.map(|(label, _)| label).collect();
+    if supposed == Some(IT_STANDS.name) {
+        leg.velocity = [0.0; 2];
+    } else if supposed.is_some() {
+        going = [0.0; 2];
+    }
     let apart = [leg.at[0] - at[0], leg.at[1] - at[1]];
     let closing = [leg.velocity[0] - going[0], leg.velocity[1] - going[1]];
     let (time, centres) = closest_approach(apart, closing, leg.until - now);
@@ -89,6 +104,12 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     let seen = apart_now + body.radius <= body.sensor;
     let least = centres - rims;
     let summary = match (seen, time == 0.0) {
+        (_, true) if supposed.is_some() => {
+            message!("drive-supposed-leaves", "It would come no nearer than the {now:.1} now.", now = apart_now)
+        }
+        (_, false) if supposed.is_some() => {
+            message!("drive-supposed-comes", "It would come as near as {least:.1}, in {time:.1} s.", least, time)
+        }
         (true, true) => message!(
             "drive-seen-leaves",
             "The robot sees it; it is {now:.1} from the robot’s rim and comes no nearer if both go on.",
@@ -127,12 +148,20 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     if closing != [0.0; 2] {
         told.formulas = vec!["approach"];
     }
-    let then = |from: [f64; 2], velocity: [f64; 2]| [0, 1].map(|axis| from[axis] + time * velocity[axis]);
-    told.marks = vec![
-        Mark::plane(layers::VELOCITY.key, Shape::Segments, vec![leg.at, [0, 1].map(|axis| leg.at[axis] + leg.velocity[axis])]),
-        Mark::plane(layers::CANDIDATES.key, Shape::Segments, vec![then(at, going), then(leg.at, leg.velocity)]),
-        Mark::plane(layers::AFTER.key, Shape::Points, vec![leg.at]),
-    ];
+    told.suppositions = suppositions;
+    let after = |from: [f64; 2], velocity: [f64; 2], time: f64| [0, 1].map(|axis| from[axis] + time * velocity[axis]);
+    let (robot, it) = (after(at, going, time), after(leg.at, leg.velocity, time));
+    let segments = |layer: LayerKey, vertices: Vec<[f64; 2]>| Mark::plane(layer, Shape::Segments, vertices);
+    told.marks = if supposed.is_some() {
+        vec![segments(layers::JUMP.key, vec![robot, it]), Mark::plane(layers::AFTER.key, Shape::Points, vec![it])]
+    } else {
+        vec![
+            segments(layers::VELOCITY.key, vec![leg.at, after(leg.at, leg.velocity, 1.0), at, after(at, going, 1.0)]),
+            segments(layers::BEFORE.key, vec![at, leg.at]),
+            segments(layers::CANDIDATES.key, vec![robot, it]),
+            Mark::plane(layers::AFTER.key, Shape::Points, vec![leg.at]),
+        ]
+    };
     Some(told)
 }
 

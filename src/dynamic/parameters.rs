@@ -188,8 +188,8 @@ pub(super) const FORMULA_APPROACH: Formula = Formula::of_item(
     "approach",
     "[WOLF-ANT] §5",
     "Closest approach",
-    "t^* = \\max\\left(0, -\\frac{\\Delta p \\cdot \\Delta v}{|\\Delta v|^2}\\right), \\quad d^* = |\\Delta p + t^* \\Delta v| - R - r",
-    "t^* = \\max\\left(0, \\frac{@towards@}{@squared@}\\right) = @t@, \\quad d^* = @centres@ - @robot@ - @radius@ = @d@",
+    "t^* = \\max\\left(0, -\\frac{\\class{before}{\\Delta p} \\cdot \\class{velocity}{\\Delta v}}{|\\class{velocity}{\\Delta v}|^2}\\right), \\quad d^* = \\class{candidates}{|\\Delta p + t^* \\Delta v|} - R - r",
+    "t^* = \\max\\left(0, \\frac{@towards@}{@squared@}\\right) = @t@, \\quad d^* = \\class{candidates}{@centres@} - @robot@ - @radius@ = @d@",
 );
 pub(super) const FORMULA_TIME: Formula = Formula::new(
     "time",
@@ -211,7 +211,9 @@ pub(super) const LAYERS_BARE: &[Layer] = &[
     layers::ROBOT,
     layers::VELOCITY,
     layers::CANDIDATES,
+    layers::BEFORE,
     layers::AFTER,
+    layers::SUPPOSED,
 ];
 
 /// What a drive on pheromone draws.
@@ -231,5 +233,10 @@ pub(super) const LAYERS: &[Layer] = &[
     layers::ROBOT,
     layers::VELOCITY,
     layers::CANDIDATES,
+    layers::WAY,
+    layers::TO_GOAL,
+    layers::STEP,
+    layers::BEFORE,
     layers::AFTER,
+    layers::SUPPOSED,
 ];

@@ -95,6 +95,10 @@ impl Explain for Dynamic {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         explain::inspect(self, item)
     }
+
+    fn suppose_now(&self, item: Item, supposition: &str) -> Option<Inspection> {
+        explain::suppose(self, item, supposition)
+    }
 }
 
 impl Timeline for Dynamic {

@@ -47,6 +47,10 @@ pub(super) trait Route: State + Send {
     fn inspect(&self, _item: Item) -> Option<Inspection> {
         None
     }
+    /// The same with one thing otherwise.
+    fn suppose(&self, _item: Item, _supposition: &str) -> Option<Inspection> {
+        None
+    }
     /// The same once more.
     fn copy(&self) -> Box<dyn Route>;
 }

@@ -2,8 +2,8 @@ use std::{collections::BTreeSet, sync::Arc};
 
 use crate::{
     Run, Scene, Setup, Status, Value,
-    describe::{Entries, Entry, Start},
-    kernel::{Border, Error, Event, Solution, Stepped, Track, part::with_parts_of},
+    describe::{Entries, Entry, Start, layers},
+    kernel::{Border, Error, Event, Inspection, Item, Solution, Stepped, Track, part::with_parts_of},
     params::{Overrides, Parameters},
     run::Outcome,
     scene::GridScene,
@@ -230,6 +230,25 @@ fn an_obstacle_far_away_is_no_reason_for_anything() {
     for planner in DRIVES {
         let outcome = run(planner, &scene, &[], 1);
         assert_eq!(kinds(&outcome), ["set-out", "arrived"]);
+    }
+}
+
+/// They come towards each other on lines 4 apart, at 2 and 1 a second: nearest where they are abreast, sooner or later by who moves.
+#[test]
+fn an_obstacle_and_the_robot_can_be_supposed_to_stand_still() {
+    let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [17, 9], "radius": 1, "velocity": [-1, 0]}"#);
+    let mut run = start("a-star-drive", &scene, &[], 1);
+    run.step(10);
+    let item = Item { layer: layers::MOVING.key, index: 0 };
+    let told = run.inspect(item).unwrap();
+    let value = |told: &Inspection, name: &str| told.values.iter().find(|value| value.label.name == name).unwrap().value;
+    let together = value(&told, "t");
+    assert!(together > 0.5);
+    for (supposition, speed) in [("obstacle", 2.0), ("robot", 1.0)] {
+        let supposed = run.suppose(item, supposition, 0).unwrap().unwrap();
+        assert!((value(&supposed, "t") - 3.0 / speed * together).abs() < 1e-9, "{supposition}");
+        assert!((value(&supposed, "d") - 2.0).abs() < 1e-9, "{supposition}: 4 less both radii");
+        assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key));
     }
 }
 

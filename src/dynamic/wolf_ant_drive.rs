@@ -56,6 +56,14 @@ struct Ants {
     search: AStar,
 }
 
+impl Ants {
+    /// Without the formulas of other colonies, which are not among this planner's.
+    fn of_this_entry(&self, mut told: Inspection) -> Inspection {
+        told.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
+        told
+    }
+}
+
 impl Route for Ants {
     fn steps(&self) -> u64 {
         self.steps
@@ -115,11 +123,15 @@ impl Route for Ants {
             return None;
         }
         let mut told = self.colony.inspect(item)?;
-        // Those of other colonies are not among this planner's.
-        // A step of the drive is none of the colony.
-        told.suppositions.clear();
-        told.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
-        Some(told)
+        if item.layer == layers::ANTS.key {
+            // A step of the drive is none of the colony.
+            told.suppositions.clear();
+        }
+        Some(self.of_this_entry(told))
+    }
+
+    fn suppose(&self, item: Item, supposition: &str) -> Option<Inspection> {
+        Some(self.of_this_entry(self.colony.suppose_now(item, supposition)?))
     }
 
     fn copy(&self) -> Box<dyn Route> {

@@ -68,6 +68,11 @@ pub trait Explain {
     fn suppose(&self, _item: Item, _supposition: &str, _others: &Stream) -> Option<Inspection> {
         None
     }
+    /// The same where an item is explained from the present state: what would be said of it with one thing otherwise. The run asks this
+    /// first.
+    fn suppose_now(&self, _item: Item, _supposition: &str) -> Option<Inspection> {
+        None
+    }
     /// The iteration that created the item, whose step is explained; `None`: the last iteration.
     fn created_at(&self, _item: Item) -> Option<u64> {
         None

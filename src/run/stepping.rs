@@ -284,12 +284,15 @@ impl Run {
             return Err(Error::refused("supposition", supposition, one_of(&known)));
         }
         let explain = self.at.planner.facets().explain;
-        let made = explain.and_then(|explain| explain.created_at(item)).unwrap_or(self.iteration());
-        let before = self.state_at(made.saturating_sub(1));
-        // From the end, where no planner takes its own.
-        let others = Stream::new(self.seed, u64::MAX - draw);
-        let mut told = before.planner.facets().explain.and_then(|explain| explain.suppose(item, supposition, &others));
-        self.before = Some(before);
+        let mut told = explain.and_then(|explain| explain.suppose_now(item, supposition));
+        if told.is_none() {
+            let made = explain.and_then(|explain| explain.created_at(item)).unwrap_or(self.iteration());
+            let before = self.state_at(made.saturating_sub(1));
+            // From the end, where no planner takes its own.
+            let others = Stream::new(self.seed, u64::MAX - draw);
+            told = before.planner.facets().explain.and_then(|explain| explain.suppose(item, supposition, &others));
+            self.before = Some(before);
+        }
         if let Some(told) = &mut told {
             told.marks.retain(|mark| [layers::AFTER, layers::VELOCITY, layers::JUMP].iter().any(|layer| layer.key == mark.layer));
             told.marks.iter_mut().for_each(|mark| mark.layer = layers::SUPPOSED.key);

@@ -12,7 +12,7 @@ use super::{
     found::Found,
     link::{Link, onward},
     open::{Open, Place, apart, place},
-    rules::{DIAGONAL, Relaxation, Rules, STRAIGHT},
+    rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT},
     sight::walk,
     task::Task,
 };
@@ -53,7 +53,11 @@ fn length(way: u64) -> f64 {
 
 impl Search {
     pub(super) fn new(start: &Start, rules: Rules, weight: f64) -> Result<Self, Error> {
-        let task = Task::new(start, rules, weight)?;
+        Ok(Self::begin(Task::new(start, rules, weight)?))
+    }
+
+    /// The start alone is reached.
+    fn begin(task: Task) -> Self {
         let (n, start) = (task.cells.len(), task.endpoints.start);
         let first = place(task.cells.place(start));
         let h = task.guess.ahead(apart(first));
@@ -71,7 +75,19 @@ impl Search {
         };
         (search.ways[start], search.links[start]) = (way(0.0), Link::new(start, 0));
         search.open.push(h, first);
-        Ok(search)
+        search
+    }
+
+    /// The same search by another guess, with as many cells settled.
+    pub(super) fn guessing(&self, guess: Guess) -> Self {
+        let mut other = Self::begin(Task { guess, table: guess.table(&self.task.cells), ..(*self.task).clone() });
+        while other.expanded < self.expanded && other.settle() == Progress::Continue {}
+        other
+    }
+
+    /// The cells that are reached and not settled.
+    pub(super) fn on_the_frontier(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.ways.len()).filter(|&cell| self.ways[cell] != 0 && !self.is_closed(cell))
     }
 
     /// Settles some cells.

@@ -10,7 +10,7 @@ use crate::{
 use super::{
     best_first::Search,
     open::{apart, place},
-    rules::Heuristic,
+    rules::{Heuristic, Relaxation},
 };
 
 const COLUMNS: [Label; 3] = [
@@ -18,6 +18,11 @@ const COLUMNS: [Label; 3] = [
     label!("search-to-goal", "h", "h", "way to the goal, at least"),
     label!("search-together", "f", "f", "together, as the queue is ordered"),
 ];
+
+/// What can be supposed of a search that guesses, and of one that does not.
+const UNGUIDED: Label = label!("search-without-heuristic", "unguided", "h = 0", "without the heuristic");
+const DOUBLED: Label = label!("search-twice-the-heuristic", "doubled", "2 w", "with twice its weight");
+const GUIDED: Label = label!("search-with-heuristic", "guided", "w = 1", "with the distance to the goal as heuristic");
 
 impl Search {
     /// A cell's numbers and whose child it is; nothing is said about a blocked cell.
@@ -36,6 +41,12 @@ impl Search {
         };
         if let Some(g) = self.reached(cell) {
             self.tell_way(cell, g, &mut told);
+        }
+        if self.ahead(cell) > 0.0 {
+            told.marks.insert(0, Mark::plane(layers::TO_GOAL.key, Shape::Polyline, self.guessed_way(cell)));
+        }
+        if self.expanded > 0 {
+            told.suppositions = if self.guesses() { vec![UNGUIDED, DOUBLED] } else { vec![GUIDED] };
         }
         for d in (0..8).filter(|d| cells.moves(cell) >> d & 1 != 0) {
             let next = cells.next(cell, d);
@@ -81,8 +92,65 @@ impl Search {
             if vertices[0] != task.endpoints.ends[0] {
                 vertices.insert(0, task.endpoints.ends[0]);
             }
-            told.marks.insert(0, Mark::plane(layers::BEFORE.key, Shape::Polyline, vertices));
+            let step = vertices[vertices.len() - 2..].to_vec();
+            told.marks.insert(0, Mark::plane(layers::STEP.key, Shape::Segments, step));
+            told.marks.insert(0, Mark::plane(layers::WAY.key, Shape::Polyline, vertices));
         }
+    }
+
+    /// Whether the heuristic counts.
+    fn guesses(&self) -> bool {
+        self.task.guess.weight > 0.0 && !matches!(self.task.rules.heuristic, Heuristic::Nothing)
+    }
+
+    /// The way that the heuristic measures: diagonally and then straight, or straight at once.
+    fn guessed_way(&self, cell: usize) -> Vec<[f64; 2]> {
+        let (cells, goal) = (&self.task.cells, self.task.endpoints.goal);
+        let mut way = vec![cells.centre(cell), cells.centre(goal)];
+        if matches!(self.task.rules.heuristic, Heuristic::Octile) {
+            let [[x, y], [goal_x, goal_y]] = [cell, goal].map(|cell| apart(place(cells.place(cell))));
+            let diagonal = (goal_x - x).abs().min((goal_y - y).abs());
+            let turn = [x + diagonal * (goal_x - x).signum(), y + diagonal * (goal_y - y).signum()];
+            way.insert(1, cells.centre(turn[1] as usize * cells.columns + turn[0] as usize));
+        }
+        way
+    }
+
+    /// Where the search would be if it had settled as many cells by another guess.
+    pub(super) fn suppose(&self, item: Item, supposition: &str) -> Option<Inspection> {
+        let (task, cell) = (&self.task, item.index);
+        let mut guess = task.guess;
+        guess.weight *= if supposition == DOUBLED.name { 2.0 } else { 0.0 };
+        if supposition == GUIDED.name {
+            guess.weight = 1.0;
+            guess.heuristic = if task.rules.relaxation == Relaxation::Step { Heuristic::Octile } else { Heuristic::Straight };
+        }
+        let other = self.guessing(guess);
+        let n = other.expanded;
+        let (event, summary) = match (&other.found, other.reached(cell)) {
+            (Some(found), _) => {
+                let length = found.cost;
+                (
+                    "solved",
+                    message!("search-supposed-found", "With {n} cells settled the goal would be reached, in {length:.4}.", n, length),
+                )
+            }
+            (None, None) => {
+                ("unreached", message!("search-supposed-unreached", "With {n} cells settled this one would not be reached yet.", n))
+            }
+            (None, Some(_)) if other.is_closed(cell) => {
+                ("settled", message!("search-supposed-settled", "With {n} cells settled this one would be among them.", n))
+            }
+            (None, Some(_)) => {
+                ("frontier", message!("search-supposed-frontier", "With {n} cells settled this one would be on the frontier.", n))
+            }
+        };
+        let path = |cells: Vec<usize>| cells.into_iter().map(|cell| task.cells.centre(cell)).collect();
+        let mut marks = vec![Mark::plane(layers::AFTER.key, Shape::Points, path(other.on_the_frontier().collect()))];
+        if other.reached(cell).is_some() {
+            marks.push(Mark::plane(layers::JUMP.key, Shape::Polyline, path(other.way(cell))));
+        }
+        Some(Inspection { marks, ..Inspection::new(item, words::cell(&task.cells, cell), event, summary) })
     }
 
     /// The heuristic in the scene's unit, without its weight.

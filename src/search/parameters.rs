@@ -54,36 +54,36 @@ pub(super) const BOUND: Formula = Formula::of_item(
     "f",
     "Hart, Nilsson and Raphael 1968",
     "Length of the way over a cell, at least",
-    "f(s) = g(s) + w\\,h(s)",
-    "f = @g@ + @w@ \\cdot @h@ = @f@",
+    "f(s) = \\class{way}{g(s)} + w\\,\\class{to-goal}{h(s)}",
+    "f = \\class{way}{@g@} + @w@ \\cdot \\class{to-goal}{@h@} = @f@",
 );
 pub(super) const FORMULA_STEP: Formula = Formula::of_item(
     "g",
     "Dijkstra 1959",
     "Length of the way to a cell",
-    "g(s') = \\min_s \\left(g(s) + c(s, s')\\right)",
-    "g = @g_parent@ + @c@ = @g@",
+    "g(s') = \\min_s \\left(\\class{way}{g(s)} + \\class{step}{c(s, s')}\\right)",
+    "g = \\class{way}{@g_parent@} + \\class{step}{@c@} = @g@",
 );
 pub(super) const FORMULA_SIGHT: Formula = Formula::of_item(
     "g",
     "Nash et al. 2007",
     "Length of the way to a cell",
-    "g(s') = \\min_s \\begin{cases} g(p) + c(p, s') & \\text{if } p = \\operatorname{parent}(s) \\text{ sees } s' \\\\ g(s) + c(s, s') & \\text{otherwise} \\end{cases}",
-    "g = @g_parent@ + @c@ = @g@",
+    "g(s') = \\min_s \\begin{cases} \\class{way}{g(p)} + \\class{step}{c(p, s')} & \\text{if } p = \\operatorname{parent}(s) \\text{ sees } s' \\\\ \\class{way}{g(s)} + \\class{step}{c(s, s')} & \\text{otherwise} \\end{cases}",
+    "g = \\class{way}{@g_parent@} + \\class{step}{@c@} = @g@",
 );
 pub(super) const FORMULA_OCTILE: Formula = Formula::of_item(
     "h",
     "octile distance",
     "Length of the way to the goal, at least",
-    "h = l \\left(\\max(\\Delta x, \\Delta y) + (\\sqrt 2 - 1) \\min(\\Delta x, \\Delta y)\\right)",
-    "h = @side@ \\left(\\max(@dx@, @dy@) + (\\sqrt 2 - 1) \\min(@dx@, @dy@)\\right) = @h@",
+    "\\class{to-goal}{h} = l \\left(\\max(\\Delta x, \\Delta y) + (\\sqrt 2 - 1) \\min(\\Delta x, \\Delta y)\\right)",
+    "h = @side@ \\left(\\max(@dx@, @dy@) + (\\sqrt 2 - 1) \\min(@dx@, @dy@)\\right) = \\class{to-goal}{@h@}",
 );
 pub(super) const FORMULA_STRAIGHT: Formula = Formula::of_item(
     "h",
     "straight line",
     "Length of the way to the goal, at least",
-    "h = l \\sqrt{\\Delta x^2 + \\Delta y^2}",
-    "h = @side@ \\sqrt{@dx@^2 + @dy@^2} = @h@",
+    "\\class{to-goal}{h} = l \\sqrt{\\Delta x^2 + \\Delta y^2}",
+    "h = @side@ \\sqrt{@dx@^2 + @dy@^2} = \\class{to-goal}{@h@}",
 );
 
 /// What every search draws.
@@ -92,6 +92,9 @@ pub(super) const LAYERS: &[Layer] = &[
     layers::FRONTIER,
     layers::BEST.titled("Path", "The path, once the goal is settled."),
     layers::SMOOTHED.titled("Smoothed", "The path without its redundant nodes: the result that is handed over.").when("smooth", "true"),
-    layers::BEFORE,
+    layers::WAY,
+    layers::TO_GOAL,
+    layers::STEP,
     layers::AFTER,
+    layers::SUPPOSED,
 ];

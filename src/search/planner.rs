@@ -70,4 +70,8 @@ impl Explain for Search {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         self.explain(item)
     }
+
+    fn suppose_now(&self, item: Item, supposition: &str) -> Option<Inspection> {
+        self.suppose(item, supposition)
+    }
 }

@@ -1,5 +1,9 @@
 //! What makes one best-first search another: how it guesses what is still to go, and whose child a cell becomes.
 
+use crate::geometry::Cells;
+
+use super::open::{apart, place};
+
 /// The length of a straight step, and thereby of a cell's side. With [`DIAGONAL`] it makes the best fraction for √2 there
 /// is up to ten million, so sums of steps are whole numbers below 2^53 (exact), and for ways of up to six million steps
 /// they are equal where the ways are equally long, and ordered as the ways are.
@@ -62,6 +66,12 @@ impl Guess {
     #[inline]
     pub(super) fn ahead(&self, [x, y]: [i32; 2]) -> f64 {
         self.weight * self.heuristic.ahead([x - self.goal[0], y - self.goal[1]])
+    }
+
+    /// What it says of each cell, if it is an own one.
+    pub(super) fn table(&self, cells: &Cells) -> Vec<f64> {
+        let own = matches!(self.heuristic, Heuristic::Own(_));
+        (0..if own { cells.len() } else { 0 }).map(|cell| self.ahead(apart(place(cells.place(cell))))).collect()
     }
 
     /// The same in the inner loop, which is faster without a call: an own heuristic is looked up in `table`, by cell.

@@ -13,13 +13,14 @@ use crate::{
 use super::{
     open::{apart, place},
     parameters::{EXPAND, ITERATIONS},
-    rules::{DIAGONAL, Guess, Heuristic, Relaxation, Rules, STRAIGHT, line},
+    rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT, line},
 };
 
 /// Steps that a run takes at most if the number of cells a step is automatic.
 const STEPS: usize = 1024;
 
 /// What does not change while a search runs.
+#[derive(Clone)]
 pub(super) struct Task {
     pub(super) cells: Arc<Cells>,
     /// What is in the way. It is made when somebody looks farther than to the next cell.
@@ -46,8 +47,7 @@ impl Task {
         let (cells, endpoints) = (Arc::clone(grid.cells()), grid.endpoints()?);
         let at = |cell: usize| apart(place(cells.place(cell)));
         let guess = Guess { heuristic: rules.heuristic, weight, goal: at(endpoints.goal) };
-        let own = matches!(rules.heuristic, Heuristic::Own(_));
-        let table = if own { (0..cells.len()).map(|cell| guess.ahead(at(cell))).collect() } else { Vec::new() };
+        let table = guess.table(&cells);
         let expand = match settings[EXPAND] {
             0 => cells.len().div_ceil(STEPS),
             given => given as usize,

@@ -6,7 +6,7 @@ use crate::{
     Overrides, Run, Scene, Setup, Status, Value,
     describe::layers,
     geometry,
-    kernel::{Item, ReferenceOptimum, rng::Stream},
+    kernel::{Inspection, Item, ReferenceOptimum, Shape, rng::Stream},
     scene::{GridScene, Robot, grid},
     shipped, standard,
 };
@@ -174,7 +174,7 @@ fn g_h_and_f_are_those_computed_by_hand() {
     assert_eq!(run.inspect(Item { layer: layers::CLOSED.key, index: 1 }), None, "it is blocked");
     assert_eq!(run.inspect(Item { layer: layers::CLOSED.key, index: 9 }), None);
     let told = run.inspect(Item { layer: layers::CLOSED.key, index: 2 }).unwrap();
-    let way = told.marks.iter().find(|mark| mark.layer == layers::BEFORE.key).unwrap();
+    let way = told.marks.iter().find(|mark| mark.layer == layers::WAY.key).unwrap();
     assert_eq!(way.vertices, [[1.0, 1.0, 0.0], [1.0, 3.0, 0.0], [3.0, 3.0, 0.0], [5.0, 3.0, 0.0], [5.0, 1.0, 0.0]]);
 }
 
@@ -287,4 +287,36 @@ fn every_iteration_comes_back_and_every_cell_explains_itself() {
             }
         }
     }
+}
+
+/// What is supposed of a cell is what the other search does: cells settled, on the frontier, and the ways to them.
+#[test]
+fn a_search_without_its_heuristic_is_the_one_that_never_had_any() {
+    let scene = shipped("ant-bat-30").unwrap();
+    let [mut guided, mut even] = ["a-star", "dijkstra"].map(|planner| run(planner, &scene, &[("expand", 1.0)]));
+    guided.step(120);
+    even.step(120);
+    let item = |index: usize| Item { layer: layers::CLOSED.key, index };
+    let points = |told: &Inspection, shape: Shape| told.marks.iter().find(|mark| mark.shape == shape).map(|mark| mark.vertices.clone());
+    let mut events = std::collections::BTreeMap::new();
+    for index in 0..900 {
+        for supposition in ["unguided", "guided"] {
+            let [run, other] = if supposition == "unguided" { [&mut guided, &mut even] } else { [&mut even, &mut guided] };
+            let Some(theirs) = other.inspect(item(index)) else { continue };
+            let told = run.suppose(item(index), supposition, 0).unwrap().unwrap();
+            assert_eq!(told.event, theirs.event, "cell {index}, {supposition}");
+            *events.entry((supposition, told.event)).or_insert(0) += 1;
+            if told.event != "unreached" {
+                let way = theirs.marks.iter().find(|mark| mark.layer == layers::WAY.key).map(|mark| mark.vertices.clone());
+                assert!(way.is_none() || points(&told, Shape::Polyline) == way, "cell {index}, {supposition}");
+            }
+        }
+    }
+    assert_eq!(events.len(), 6, "{events:?}");
+    assert!(even.suppose(item(31), "unguided", 0).is_err(), "it has no heuristic");
+    // With twice its weight the goal comes sooner, and the way may be longer.
+    let doubled = guided.suppose(item(31), "doubled", 0).unwrap().unwrap();
+    guided.step(u64::MAX);
+    let whole = guided.suppose(item(31), "doubled", 0).unwrap().unwrap();
+    assert!(doubled.event != "unreached" && whole.event == "solved", "{}, {}", doubled.event, whole.event);
 }

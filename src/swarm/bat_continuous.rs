@@ -324,16 +324,16 @@ const BAT_VELOCITY: Formula = Formula::of_item(
     "bat-velocity",
     "[ANTBAT] (8)",
     "Velocity",
-    "v_i \\leftarrow v_i + (x_i - x_{\\text{best}}) f_i",
-    "v = @v_before@ + (@x_before@ - @g@) \\cdot @f@ \\;\\to\\; @v@",
+    "v_i \\leftarrow \\class{inertia}{v_i} + \\class{social}{(x_i - x_{\\text{best}}) f_i}",
+    "v = \\class{inertia}{@v_before@} + \\class{social}{(@x_before@ - @g@) \\cdot @f@} \\;\\to\\; \\class{velocity}{@v@}",
 )
 .when(PULL, "printed");
 const BAT_VELOCITY_TOWARD: Formula = Formula::of_item(
     "bat-velocity-toward",
     "[ANTBAT] (8), other sign",
     "Velocity",
-    "v_i \\leftarrow v_i + (x_{\\text{best}} - x_i) f_i",
-    "v = @v_before@ + (@g@ - @x_before@) \\cdot @f@ \\;\\to\\; @v@",
+    "v_i \\leftarrow \\class{inertia}{v_i} + \\class{social}{(x_{\\text{best}} - x_i) f_i}",
+    "v = \\class{inertia}{@v_before@} + \\class{social}{(@g@ - @x_before@) \\cdot @f@} \\;\\to\\; \\class{velocity}{@v@}",
 )
 .when(PULL, "toward");
 const BAT_POSITION: Formula = Formula { source: "[ANTBAT] (9)", ..POSITION };
@@ -341,8 +341,8 @@ const WALK_ABOUT: Formula = Formula::of_item(
     "walk",
     "Yang 2010 (5)",
     "Walk about the best",
-    "x_i \\leftarrow x_{\\text{best}} + \\epsilon \\bar A s",
-    "x = @g@ + @random@ \\cdot @mean_loudness@ \\, s \\;\\to\\; @x@",
+    "x_i \\leftarrow x_{\\text{best}} + \\class{jump}{\\epsilon \\bar A s}",
+    "x = @g@ + \\class{jump}{@random@ \\cdot @mean_loudness@ \\, s} \\;\\to\\; @x@",
 );
 const LOUDNESS: Formula = Formula::of_item("loudness", "[ANTBAT] (10)", "Loudness", "A_i \\leftarrow \\varepsilon A_i", "A = @loudness@");
 const PULSE: Formula =
@@ -410,6 +410,9 @@ pub const ENTRY: Entry = Entry::new(
     layers::BEST,
     SMOOTHED,
     layers::BEFORE,
+    layers::INERTIA,
+    layers::SOCIAL,
+    layers::VELOCITY,
     layers::JUMP,
     layers::AFTER,
     layers::SUPPOSED,

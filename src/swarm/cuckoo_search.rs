@@ -340,6 +340,7 @@ impl Nests {
         let x = &now.x[row.clone()];
         let Last { flown, walked } = after.last[i];
         let candidate: Vec<_> = flight.iter().map(|&(_, _, to)| to).collect();
+        let rebuilt: Vec<_> = walk.iter().map(|&(_, _, to)| to).collect();
         let between = if flown { &candidate[..] } else { x };
 
         let flight_led = if flown {
@@ -372,6 +373,7 @@ impl Nests {
         told.marks = vec![
             mark(meaning, layers::BEFORE.key, x),
             arrows(meaning, layers::JUMP.key, x, &candidate),
+            arrows(meaning, layers::STEP.key, between, &rebuilt),
             mark(meaning, layers::AFTER.key, &next.x[row]),
         ];
         Some(told)
@@ -428,15 +430,15 @@ const FLY: Formula = Formula::of_item(
     "levy-flight",
     "Yang and Deb 2009 (1), its program",
     "Lévy flight",
-    "x' = x + \\alpha s (x - g) \\, \\epsilon",
-    "x' = @x_before@ + \\alpha \\cdot @s@ \\, (@x_before@ - @g@) \\cdot @epsilon@ \\;\\to\\; @candidate@",
+    "x' = x + \\class{jump}{\\alpha s (x - g) \\, \\epsilon}",
+    "x' = @x_before@ + \\class{jump}{\\alpha \\cdot @s@ \\, (@x_before@ - @g@) \\cdot @epsilon@} \\;\\to\\; @candidate@",
 );
 const ABANDON: Formula = Formula::of_item(
     "abandon",
     "Yang and Deb 2009, its program",
     "Abandoned coordinates",
-    "x' = x + r \\, H(p_a - \\epsilon) \\, (x_j - x_k)",
-    "x' = @x_between@ + @r@ \\cdot @changes@ \\cdot (@x_j@ - @x_k@) \\;\\to\\; @rebuilt@",
+    "x' = x + \\class{step}{r \\, H(p_a - \\epsilon) \\, (x_j - x_k)}",
+    "x' = @x_between@ + \\class{step}{@r@ \\cdot @changes@ \\cdot (@x_j@ - @x_k@)} \\;\\to\\; @rebuilt@",
 );
 
 const FLOWN: Reading =
@@ -486,7 +488,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])
 .formulas(&[SIGMA, STEP, FLY, ABANDON])
-.layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::AFTER, layers::SUPPOSED])
+.layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::STEP, layers::AFTER, layers::SUPPOSED])
 .presets(&[ONE_ROAD])
 .cases(CASES)
 .pseudocode(PSEUDOCODE);

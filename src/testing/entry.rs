@@ -22,6 +22,7 @@ const TWICE: &str = "Use each name once within a list of the entry.";
 const DEFAULTS: &str = "Choose a default and a slider within the parameter's domain.";
 const CONDITIONS: &str = "Let `when` name a parameter of the same entry and a value that this parameter may have.";
 const PLACEHOLDERS: &str = "Let `@name@` in a formula name a reading or a parameter, or make it a `Formula::of_item`.";
+const TERMS: &str = "Let `\\class{name}{…}` in a formula name a layer that the entry lists.";
 const COST: &str = "List a reading of `Group::Cost`: the convergence chart draws it.";
 const MARKS: &str = "List the layers that only explanations mark (`.inspection()`) after those that are drawn.";
 const GROUND: &str = "Give fields, and lines that are drawn from near, a lower `Look::order` than all else: they hide nothing.";
@@ -122,6 +123,14 @@ fn conditions(subject: &Subject) -> Checked {
 
 fn contents(subject: &Subject) -> Checked {
     let entry = subject.entry;
+    for formula in entry.formulas {
+        for tex in [formula.tex, formula.live] {
+            for name in tex.split("\\class{").skip(1).filter_map(|rest| rest.split('}').next()) {
+                let listed = entry.layers.iter().any(|layer| layer.key.0 == name);
+                ensure(listed, TERMS, || format!("a term of the formula `{}` is marked by `{name}`", formula.name))?;
+            }
+        }
+    }
     let known = |name: &str| entry.parameter(name).is_some() || entry.readings.iter().any(|reading| reading.name == name);
     for formula in entry.formulas.iter().filter(|formula| formula.scope == Scope::Iteration) {
         for name in placeholders(formula.live) {

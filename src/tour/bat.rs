@@ -12,13 +12,14 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Case, Entry, Formula, Member, Preset, Reading},
-    kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
+    kernel::{Inspection, Label, Part, Progress, Readings, State, rng::Stream},
     math,
     params::{Choice, Fixed, Param, Parameter, Parameters},
     settled::SETTLED,
 };
 
 use super::{
+    explain::WITHOUT_BEST,
     kicks::Kicks,
     moves,
     nearest::nearest_neighbour,
@@ -97,6 +98,9 @@ struct Bats {
     rng: Stream,
     #[state(skip)]
     part: Part,
+    /// Who does not know the best, where that is supposed.
+    #[state(skip)]
+    alone: Option<usize>,
     /// Scratch space: a child and the best child, a place for each stop.
     #[state(skip)]
     child: Tour,
@@ -131,6 +135,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, rng: Stream) -> Bats {
         t: 0,
         rng,
         part: Part::default(),
+        alone: None,
         child: first.clone(),
         mate: first.row.clone(),
         kept: first,
@@ -206,7 +211,8 @@ impl Bats {
         }
         let (hamming, backwards) = moves::nearer(&self.problem, &self.swarm[i].tour.row, &self.best.row);
         let tries = 1 + self.rng.below(hamming.max(1)); // (12)
-        let range = if 2 * hamming >= self.problem.n { Range::Far } else { Range::Near };
+        let alone = self.alone == Some(i);
+        let range = if 2 * hamming >= self.problem.n && !alone { Range::Far } else { Range::Near };
         match range {
             Range::Far => self.cross(i, tries, backwards),
             _ => self.turn(i, tries),
@@ -222,7 +228,7 @@ impl Bats {
             last_move.gain = bat.tour.length - self.kept.length;
             bat.tour.copy_from(&self.kept);
         }
-        if self.rng.unit() > bat.pulse_rate {
+        if self.rng.unit() > bat.pulse_rate && !alone {
             self.look_around(i, &mut last_move);
         }
         let bat = &mut self.swarm[i];
@@ -297,6 +303,15 @@ impl Search for Bats {
 
     fn rng(&mut self) -> Option<&mut Stream> {
         Some(&mut self.rng)
+    }
+
+    fn suppositions(&self, i: usize) -> Vec<Label> {
+        let LastMove { range, local, .. } = self.swarm[i].last_move;
+        Vec::from_iter((range == Range::Far || local != Local::Passed).then_some(WITHOUT_BEST))
+    }
+
+    fn suppose(&mut self, i: usize, _supposition: &str) {
+        self.alone = Some(i);
     }
 
     fn evaluations(&self) -> u64 {
@@ -381,8 +396,8 @@ const TRIES: Formula = Formula::of_item(
     "tries",
     "[ANTBAT] (12)",
     "Velocity: how many tries",
-    "v_i = \\operatorname{rand}\\left[1, \\max(1, HD)\\right]",
-    "v = @tries@ \\in \\left[1, \\max(1, @hamming@)\\right]",
+    "v_i = \\operatorname{rand}\\left[1, \\max(1, \\class{different}{HD})\\right]",
+    "v = @tries@ \\in \\left[1, \\max(1, \\class{different}{@hamming@})\\right]",
 );
 
 /// What is told of each bat.

@@ -19,6 +19,9 @@ const ORDER: [Label; 3] = [
     label!("tour-differs", "differs", "\\ne", "1 where they differ"),
 ];
 
+/// What can be supposed of those that follow the best tour.
+pub(super) const WITHOUT_BEST: Label = label!("tour-without-best", "best", "s^*", "without the best tour");
+
 /// A number, unless there is none.
 pub(super) fn quantity(label: Label, value: f64) -> Option<Quantity> {
     value.is_finite().then_some(label.is(value))
@@ -26,7 +29,7 @@ pub(super) fn quantity(label: Label, value: f64) -> Option<Quantity> {
 
 /// A way to draw clearly.
 pub(super) fn way(vertices: Vec<[f64; 2]>) -> Mark {
-    Mark::plane(layers::AFTER.key, Shape::Polyline, vertices)
+    Mark::plane(layers::WAY.key, Shape::Polyline, vertices)
 }
 
 /// A tour that is asked about before there are any.

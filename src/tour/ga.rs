@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Case, Entry, Formula, Group, Member, Reading},
-    kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
+    kernel::{Inspection, Label, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
@@ -93,6 +93,9 @@ struct Genetic {
     rng: Stream,
     #[state(skip)]
     part: Part,
+    /// Which child does what is supposed.
+    #[state(skip)]
+    without: Option<(usize, &'static str)>,
     /// Scratch space: the generation by length, and a place for each stop.
     #[state(skip)]
     ranks: Vec<(f64, usize)>,
@@ -117,6 +120,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Gene
         evaluations: size as u64,
         rng,
         part: Part::default(),
+        without: None,
         ranks: vec![(0.0, 0); size],
         places: vec![0; problem.n + 1],
         now,
@@ -152,7 +156,9 @@ impl Genetic {
     fn breed(&mut self, i: usize) {
         let m = self.best.len();
         let first = self.select();
-        let crossed = m > 1 && self.rng.unit() < self.crossover;
+        let rate = |of: Label, is: f64| if self.without == Some((i, of.name)) { 0.0 } else { is };
+        let (crossover, mutation) = (rate(WITHOUT_CROSSOVER, self.crossover), rate(WITHOUT_MUTATION, self.mutation));
+        let crossed = m > 1 && self.rng.unit() < crossover;
         let second = if crossed { self.select() } else { first };
         let child = &mut self.next[i];
         let (cut, reversed);
@@ -163,7 +169,7 @@ impl Genetic {
         } else {
             cut = (0, 0);
         }
-        let mutated = m > 1 && self.rng.unit() < self.mutation;
+        let mutated = m > 1 && self.rng.unit() < mutation;
         if mutated {
             reversed = moves::two_apart(m, &mut self.rng);
             moves::reverse(&mut child.tour.row, reversed.0, reversed.1);
@@ -205,6 +211,16 @@ impl Search for Genetic {
 
     fn rng(&mut self) -> Option<&mut Stream> {
         Some(&mut self.rng)
+    }
+
+    fn suppositions(&self, i: usize) -> Vec<Label> {
+        let origin = self.now[i].birth.origin;
+        let crossed = matches!(origin, Origin::Crossover | Origin::Both).then_some(WITHOUT_CROSSOVER);
+        crossed.into_iter().chain(matches!(origin, Origin::Mutation | Origin::Both).then_some(WITHOUT_MUTATION)).collect()
+    }
+
+    fn suppose(&mut self, i: usize, supposition: &str) {
+        self.without = [WITHOUT_CROSSOVER, WITHOUT_MUTATION].iter().map(|label| (i, label.name)).find(|it| it.1 == supposition);
     }
 
     fn evaluations(&self) -> u64 {
@@ -272,6 +288,10 @@ impl Search for Genetic {
     }
 }
 
+/// What can be supposed of a birth.
+const WITHOUT_CROSSOVER: Label = label!("tour-without-crossover", "crossover", "p_c = 0", "without crossover");
+const WITHOUT_MUTATION: Label = label!("tour-without-mutation", "mutation", "p_m = 0", "without mutation");
+
 const TOURNAMENT: Param<u64> = Param::integer(
     "tournament",
     "k",
@@ -302,8 +322,8 @@ const GAIN: Formula = Formula::of_item(
     "gain",
     "Davis 1985",
     "What a child gained",
-    "\\Delta D = \\min(D_a, D_b) - D",
-    "\\Delta D = \\min(@first@, @second@) - @length@ = @gain@",
+    "\\Delta D = \\min(D_a, D_b) - \\class{way}{D}",
+    "\\Delta D = \\min(@first@, @second@) - \\class{way}{@length@} = @gain@",
 );
 
 const WORDS: &[&str] = &["start", "kept", "copy", "crossover", "mutation", "both"];

@@ -239,7 +239,7 @@ pub const ENTRY: Entry = Entry::new(
     layers::TOURS.titled("Shortest parts", "The shortest way of the present size to each stop, until there is a tour."),
     layers::TOUR,
     layers::STOPS,
-    layers::AFTER,
+    layers::WAY,
 ])
 .calls_at_most(MOST)
 .cases(CASES)

@@ -16,14 +16,14 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Case, Entry, Formula, Member, Reading},
-    kernel::{Inspection, Message, Part, Progress, Readings, State, rng::Stream},
+    kernel::{Inspection, Label, Message, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::{quantity, random_start},
+    explain::{WITHOUT_BEST, quantity, random_start},
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEAN_LOUDNESS, MEAN_PULSE_RATE, MEMBER_DIFFERENT,
@@ -94,6 +94,9 @@ struct Bats {
     rng: Stream,
     #[state(skip)]
     part: Part,
+    /// Who looks around its own tour, where that is supposed.
+    #[state(skip)]
+    alone: Option<usize>,
     /// Scratch space: a candidate, swaps, and a place for each stop.
     #[state(skip)]
     candidate: Tour,
@@ -125,6 +128,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats
         swarm,
         rng,
         part: Part::default(),
+        alone: None,
         list: Vec::with_capacity(first.len()),
         candidate: first,
         places: vec![0; problem.n + 1],
@@ -150,8 +154,9 @@ impl Bats {
     }
 
     /// Around the best: the candidate is the shortest of a few perturbations.
-    fn perturb(&mut self) -> LastMove {
-        let (m, row) = (self.best.len(), &self.best.row);
+    fn perturb(&mut self, i: usize) -> LastMove {
+        let around = if self.alone == Some(i) { &self.swarm[i].tour } else { &self.best };
+        let (m, row) = (around.len(), &around.row);
         let (mut operator, mut least, mut at) = (Operator::Reversal, f64::INFINITY, [1, 1, 1]);
         for _ in 0..self.perturbations {
             let (kind, places, added) = match self.rng.below(3) {
@@ -187,7 +192,7 @@ impl Bats {
         if self.best.len() < 2 {
             return; // there is one tour only
         }
-        let mut last_move = if self.rng.unit() > self.swarm[i].pulse_rate { self.perturb() } else { self.fly(i) };
+        let mut last_move = if self.rng.unit() > self.swarm[i].pulse_rate { self.perturb(i) } else { self.fly(i) };
         self.candidate.settle(&self.problem);
         last_move.candidate = self.candidate.length;
         let bat = &mut self.swarm[i];
@@ -223,6 +228,15 @@ impl Search for Bats {
 
     fn rng(&mut self) -> Option<&mut Stream> {
         Some(&mut self.rng)
+    }
+
+    fn suppositions(&self, i: usize) -> Vec<Label> {
+        let around = !matches!(self.swarm[i].last_move.operator, Operator::None | Operator::Flight);
+        Vec::from_iter(around.then_some(WITHOUT_BEST))
+    }
+
+    fn suppose(&mut self, i: usize, _supposition: &str) {
+        self.alone = Some(i);
     }
 
     fn evaluations(&self) -> u64 {
@@ -263,6 +277,7 @@ impl Search for Bats {
             Operator::Flight => {
                 message!("tour-flight", "It flew towards the best tour: {swaps} of the {distance} swaps that lead there.", swaps, distance)
             }
+            _ if self.alone == Some(i) => message!("tour-around-own", "It would look around its own tour."),
             Operator::Reversal => message!(
                 "tour-reversal",
                 "It looked around the best tour; the shortest of {n} perturbations was one with a stretch reversed.",
@@ -353,8 +368,8 @@ const VELOCITY: Formula = Formula::of_item(
     "velocity",
     "[ANTBAT] (7)–(9)",
     "Flight: swaps towards the best",
-    "v_i = f_i \\, (x^* \\ominus x_i), \\quad f_i = f_{\\min} + (f_{\\max} - f_{\\min}) \\beta, \\quad x_i' = x_i \\oplus v_i",
-    "f = @frequency@, \\quad |v| = @swaps@ \\text{ of } @distance@",
+    "v_i = f_i \\, \\class{different}{(x^* \\ominus x_i)}, \\quad f_i = f_{\\min} + (f_{\\max} - f_{\\min}) \\beta, \\quad x_i' = x_i \\oplus v_i",
+    "f = @frequency@, \\quad |v| = @swaps@ \\text{ of } \\class{different}{@distance@}",
 );
 const LOUDNESS: Formula = Formula::of_item("loudness", "Yang 2010", "Loudness", "A_i \\leftarrow \\alpha A_i", "A = @loudness@");
 const PULSE: Formula =

@@ -124,7 +124,7 @@ pub(super) const MEAN_PULSE_RATE: Reading =
     Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
 
 pub(super) const LENGTH: Formula =
-    Formula::new("length", "[ANTBAT] (6)", "Length of a tour", "D(s) = \\sum_{i=1}^{n-1} d(s_i, s_{i+1}) + d(s_n, s_1)", "");
+    Formula::new("length", "[ANTBAT] (6)", "Length of a tour", "\\class{way}{D(s)} = \\sum_{i=1}^{n-1} d(s_i, s_{i+1}) + d(s_n, s_1)", "");
 
 pub(super) const MEMBER_LENGTH: Member = Member::new("length", "D", "Length", "The length of its tour.");
 pub(super) const MEMBER_DIFFERENT: Member =
@@ -135,8 +135,8 @@ pub(super) const ROADS_LAYER: Layer = layers::ROADS.on_kinds(&[GRID]);
 /// What a planner draws whose members hold a tour each.
 pub(super) const fn layers_with(tours: &'static str) -> [Layer; 7] {
     let all = layers::TOURS.titled("All tours", tours).off().pickable();
-    [ROADS_LAYER, all, layers::TOUR, layers::STOPS, layers::DIFFERENT, layers::AFTER, layers::SUPPOSED]
+    [ROADS_LAYER, all, layers::TOUR, layers::STOPS, layers::DIFFERENT, layers::WAY, layers::SUPPOSED]
 }
 
 /// What a planner with one tour draws.
-pub(super) const LAYERS: &[Layer] = &[ROADS_LAYER, layers::TOUR, layers::STOPS, layers::AFTER];
+pub(super) const LAYERS: &[Layer] = &[ROADS_LAYER, layers::TOUR, layers::STOPS, layers::WAY];

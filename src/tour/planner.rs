@@ -175,7 +175,8 @@ impl Explain for Tours {
                 told.marks.insert(0, explain::way(self.path(problem, tour)));
                 search.explain(item.index, &mut told);
                 if self.iteration > self.road_steps() && search.clone().rng().is_some() {
-                    told.suppositions = vec![OTHER_NUMBERS];
+                    told.suppositions = search.suppositions(item.index);
+                    told.suppositions.push(OTHER_NUMBERS);
                 }
                 Some(told)
             }
@@ -184,11 +185,18 @@ impl Explain for Tours {
         }
     }
 
-    fn suppose(&self, item: Item, _supposition: &str, others: &Stream) -> Option<Inspection> {
+    fn suppose(&self, item: Item, supposition: &str, others: &Stream) -> Option<Inspection> {
         let mut next = self.clone();
-        next.search.as_mut()?.1.rng()?.clone_from(others);
+        let search = &mut next.search.as_mut()?.1;
+        if supposition == OTHER_NUMBERS.name {
+            search.rng()?.clone_from(others);
+        } else {
+            search.suppose(item.index, supposition);
+        }
         while next.advance() == Progress::Partly {}
-        next.inspect(item)
+        let mut told = next.inspect(item)?;
+        told.marks.iter_mut().filter(|mark| mark.layer == layers::WAY.key).for_each(|mark| mark.layer = layers::AFTER.key);
+        Some(told)
     }
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Case, Entry, Formula, Group, Member, Reading, layers},
-    kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
+    kernel::{Inspection, Label, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
@@ -170,6 +170,15 @@ impl Search for Annealing {
         Some(&mut self.rng)
     }
 
+    fn suppositions(&self, _i: usize) -> Vec<Label> {
+        Vec::from_iter((self.last_move.longer > 0).then_some(NEVER_LONGER))
+    }
+
+    /// As if it were cold already.
+    fn suppose(&mut self, _i: usize, _supposition: &str) {
+        self.next = 0.0;
+    }
+
     fn evaluations(&self) -> u64 {
         self.evaluations
     }
@@ -258,6 +267,8 @@ const MOVES: Param<u64> = Param::integer(
 )
 .slider(1.0, 1000.0, true);
 
+const NEVER_LONGER: Label = label!("tour-never-longer", "cold", "T = 0", "without accepting longer tours");
+
 const METROPOLIS: Formula = Formula::of_item(
     "metropolis",
     "Metropolis et al. 1953",
@@ -332,7 +343,7 @@ pub const ENTRY: Entry = Entry::new(
     layers::TOUR,
     layers::STOPS,
     layers::DIFFERENT,
-    layers::AFTER,
+    layers::WAY,
     layers::SUPPOSED,
 ])
 .calls_at_stops()

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Inspection, Progress, Readings, State, rng::Stream},
+    kernel::{Inspection, Label, Progress, Readings, State, rng::Stream},
     params::Parameters,
 };
 
@@ -36,6 +36,12 @@ pub trait Search: State + CopySearch + Send {
     fn rng(&mut self) -> Option<&mut Stream> {
         None
     }
+    /// What can be supposed of a member's last step besides other random numbers.
+    fn suppositions(&self, _i: usize) -> Vec<Label> {
+        Vec::new()
+    }
+    /// Lets one of these be so in the next step, for this member alone.
+    fn suppose(&mut self, _i: usize, _supposition: &str) {}
     /// Adds numbers of its own to the readings.
     fn read(&self, _out: &mut Readings) {}
     /// Adds a member's numbers, those of the entry's `members` in their order.

@@ -6,7 +6,7 @@ use crate::{
     Overrides, Run, Scene, Setup, Status,
     describe::{Entry, layers},
     exact::Distances,
-    kernel::{Item, Stepped, TourEnds, part::with_parts_of, rng::Stream},
+    kernel::{Inspection, Item, Stepped, TourEnds, part::with_parts_of, rng::Stream},
     params::{Domain, Value},
     scene::TourScene,
     shipped, standard,
@@ -372,6 +372,47 @@ fn more_members_than_there_is_memory_for_are_refused() {
         let error = Run::new(standard(), Setup { planner: planner.into(), scene: Arc::clone(&scene), params, seed: 1 }).err().unwrap();
         assert_eq!((error.field(), error.value(), &*error.allowed()), ("population", "100000", allowed), "{planner}");
     }
+}
+
+/// One thing is otherwise, and the random numbers are the same: what it does not touch stays.
+#[test]
+fn one_thing_can_be_supposed_of_one_member_with_the_same_random_numbers() {
+    let of = |told: &Inspection, name: &str| told.values.iter().find(|value| value.label.name == name).map(|value| value.value);
+    let mut seen = std::collections::BTreeSet::new();
+    for planner in ["tour-pso", "ga", "sa", "bat", "hybrid-bat"] {
+        let population = [("population", "9")];
+        let mut run = start(planner, "random-52", &population[usize::from(planner == "sa")..], 5);
+        for _ in 0..12 {
+            run.step(1);
+            for index in 0..if planner == "sa" { 1 } else { 9 } {
+                let item = Item { layer: layers::TOURS.key, index };
+                let told = run.inspect(item).unwrap();
+                for supposition in told.suppositions.iter().map(|label| label.name).filter(|&name| name != "random") {
+                    let supposed = run.suppose(item, supposition, 0).unwrap().unwrap();
+                    seen.insert((planner, supposition));
+                    match (planner, supposition) {
+                        ("tour-pso", _) => {
+                            let names = ["kept", "own", "swarm"];
+                            let k = ["inertia", "own", "best"].iter().position(|&name| name == supposition).unwrap();
+                            assert_eq!(of(&supposed, names[k]), Some(0.0), "{supposition}");
+                            // What is drawn before is the same; what is drawn after is drawn from the same stream.
+                            assert!((0..k).all(|j| of(&supposed, names[j]) == of(&told, names[j])), "{supposition}");
+                        }
+                        ("ga", "crossover") => assert!(["copy", "mutation"].contains(&supposed.event), "{}", supposed.event),
+                        ("ga", _) => assert_eq!(of(&supposed, "second"), of(&told, "second"), "its parents are the same"),
+                        ("sa", _) => assert_eq!(of(&supposed, "longer"), Some(0.0)),
+                        ("bat", _) => assert!(supposed.event == "2-opt" && of(&supposed, "tries") == of(&told, "tries")),
+                        _ => assert!(
+                            supposed.event != "flight" && supposed.summary.text().contains("its own tour"),
+                            "{}",
+                            supposed.summary.text()
+                        ),
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(seen.len(), 8, "{seen:?}");
 }
 
 /// Other random numbers give another tour; nothing of the run itself changes, and what draws none has nothing to suppose.

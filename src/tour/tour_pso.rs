@@ -11,14 +11,14 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Case, Entry, Formula, Group, Member, Preset, Reading},
-    kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
+    kernel::{Inspection, Label, Part, Progress, Readings, State, rng::Stream},
     label, message,
     params::{Fixed, Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::quantity,
+    explain::{WITHOUT_BEST, quantity},
     local::LocalSearch,
     moves,
     parameters::{
@@ -74,6 +74,9 @@ struct Swarm {
     part: Part,
     /// What improves tours, if something does.
     local: Option<LocalSearch>,
+    /// Who does what is supposed.
+    #[state(skip)]
+    without: Option<(usize, &'static str)>,
     /// Scratch space: a row, a list of swaps, and a place for each stop.
     #[state(skip)]
     row: Vec<Stop>,
@@ -98,6 +101,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, rng: Stream) -> Swarm {
         population,
         rng,
         part: Part::default(),
+        without: None,
         row: first.row,
         list: Vec::with_capacity(3 * m),
         places: vec![0; problem.n + 1],
@@ -152,11 +156,13 @@ impl Swarm {
         // v ← w v ⊕ c₁ r₁ (p ⊖ x) ⊕ c₂ r₂ (g ⊖ x)
         self.list.clear();
         self.list.extend_from_slice(&self.particles[i].velocity);
-        swaps::thin(&mut self.list, 0, self.w, &mut self.rng);
+        let share = |of: Label, is: f64| if self.without == Some((i, of.name)) { 0.0 } else { is };
+        let (w, c1, c2) = (share(WITHOUT_VELOCITY, self.w), share(WITHOUT_OWN_BEST, self.c1), share(WITHOUT_BEST, self.c2));
+        swaps::thin(&mut self.list, 0, w, &mut self.rng);
         let kept = self.list.len();
         let (r1, r2) = (self.rng.unit(), self.rng.unit());
-        let own = self.draw_towards(i, true, self.c1 * r1);
-        let swarm = self.draw_towards(i, false, self.c2 * r2);
+        let own = self.draw_towards(i, true, c1 * r1);
+        let swarm = self.draw_towards(i, false, c2 * r2);
 
         // x ← x ⊕ v, and v becomes the basic sequence that does the same: it has fewer swaps than there are stops.
         let particle = &mut self.particles[i];
@@ -203,6 +209,17 @@ impl Search for Swarm {
 
     fn rng(&mut self) -> Option<&mut Stream> {
         Some(&mut self.rng)
+    }
+
+    fn suppositions(&self, i: usize) -> Vec<Label> {
+        let LastMove { kept, own, swarm, .. } = self.particles[i].last_move;
+        let shares = [(WITHOUT_VELOCITY, kept), (WITHOUT_OWN_BEST, own), (WITHOUT_BEST, swarm)];
+        shares.into_iter().filter(|&(_, swaps)| swaps > 0).map(|(label, _)| label).collect()
+    }
+
+    fn suppose(&mut self, i: usize, supposition: &str) {
+        self.without =
+            [WITHOUT_VELOCITY, WITHOUT_OWN_BEST, WITHOUT_BEST].iter().map(|label| (i, label.name)).find(|it| it.1 == supposition);
     }
 
     fn evaluations(&self) -> u64 {
@@ -272,6 +289,10 @@ impl Search for Swarm {
     }
 }
 
+/// What can be supposed of a flight.
+const WITHOUT_VELOCITY: Label = label!("tour-without-velocity", "inertia", "w = 0", "without its velocity");
+const WITHOUT_OWN_BEST: Label = label!("tour-without-own-best", "own", "c_1 = 0", "without its own best");
+
 const W: Param<f64> = Param::number(
     "w",
     "w",
@@ -300,8 +321,8 @@ const VELOCITY: Formula = Formula::of_item(
     "velocity",
     "Wang et al. 2003",
     "Velocity: a list of swaps",
-    "v \\leftarrow w\\,v \\oplus c_1 r_1 (p \\ominus x) \\oplus c_2 r_2 (g \\ominus x)",
-    "|v| \\le @kept@ + @own@ + @swarm@",
+    "v \\leftarrow w\\,v \\oplus c_1 r_1 (p \\ominus x) \\oplus c_2 r_2 \\class{different}{(g \\ominus x)}",
+    "|v| \\le @kept@ + @own@ + \\class{different}{@swarm@}",
 );
 const POSITION: Formula =
     Formula::of_item("position", "Wang et al. 2003", "Position: an order", "x \\leftarrow x \\oplus v", "|v| = @velocity@");

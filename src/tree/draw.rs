@@ -23,8 +23,11 @@ pub(super) const LAYERS: &[Layer] = &[
     FINISHED,
     layers::KEPT.inspection(),
     layers::CHOSEN,
+    layers::WAY,
+    layers::TO_GOAL,
     layers::BEFORE,
     layers::AFTER,
+    layers::STEP,
     layers::SUPPOSED,
 ];
 /// With the samples that were kept.
@@ -36,8 +39,11 @@ pub(super) const GUIDED_LAYERS: &[Layer] = &[
     BEST,
     FINISHED,
     layers::CHOSEN,
+    layers::WAY,
+    layers::TO_GOAL,
     layers::BEFORE,
     layers::AFTER,
+    layers::STEP,
     layers::SUPPOSED,
 ];
 /// Of two trees.
@@ -50,8 +56,11 @@ pub(super) const CONNECT_LAYERS: &[Layer] = &[
     FINISHED,
     layers::KEPT.inspection(),
     layers::CHOSEN,
+    layers::WAY,
+    layers::TO_GOAL,
     layers::BEFORE,
     layers::AFTER,
+    layers::STEP,
     layers::SUPPOSED,
 ];
 

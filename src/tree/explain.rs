@@ -110,6 +110,13 @@ impl<const N: usize> Seen<'_, N> {
         };
         told.summary = summary(last);
         let near = tree.points[last.near];
+        let from = self.task.space.place(&near);
+        let to = told.marks.iter().find(|mark| mark.layer == layers::AFTER.key).map(|mark| mark.vertices[0]);
+        told.marks.push(Mark {
+            layer: layers::STEP.key,
+            shape: Shape::Segments,
+            vertices: to.into_iter().flat_map(|to| [from, to]).collect(),
+        });
         if let Some(sample) = last.samples.iter().find(|sample| sample.outcome == SampleOutcome::Taken) {
             self.tell_taken(sample, &near, &mut told);
         }
@@ -124,11 +131,11 @@ impl<const N: usize> Seen<'_, N> {
             let title = message!("tree-node", "Node {i}", i = item.index + 1);
             return Inspection::new(item, title, "nothing", message!("tree-supposed-nothing", "Nothing would have grown."));
         };
-        let last = &self.forest.last;
-        let at = told.marks.iter().find(|mark| mark.layer == layers::AFTER.key).map(|mark| mark.vertices[0]);
-        let near = self.task.space.place(&self.forest.trees[last.tree].points[last.near]);
-        let edge = at.into_iter().flat_map(|at| [near, at]).collect();
-        told.marks.push(Mark { layer: layers::JUMP.key, shape: Shape::Segments, vertices: edge });
+        for mark in &mut told.marks {
+            if mark.layer == layers::STEP.key {
+                mark.layer = layers::JUMP.key;
+            }
+        }
         told
     }
 
@@ -141,7 +148,7 @@ impl<const N: usize> Seen<'_, N> {
         let mut values = vec![label!("tree-way", "cost", "g", "way from the root").is(tree.costs[node])];
         values.extend(PLACE.iter().zip(at).take(self.task.space.dimensions()).map(|(label, at)| label.is(at)));
         let way = tree.path_to(node).iter().map(place).collect();
-        let mut marks = vec![Mark { layer: layers::BEFORE.key, shape: Shape::Polyline, vertices: way }];
+        let mut marks = vec![Mark { layer: layers::WAY.key, shape: Shape::Polyline, vertices: way }];
         marks.push(Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![at] });
         let title = message!("tree-node", "Node {i}", i = item.index + 1);
         Some(Inspection { values, marks, ..Inspection::new(item, title, "node", Message::default()) })
@@ -185,6 +192,10 @@ impl<const N: usize> Seen<'_, N> {
             }
         }
         let from = place(near);
+        told.marks.push(Mark { layer: layers::BEFORE.key, shape: Shape::Points, vertices: vec![from] });
+        if matches!(last.source, Source::Guided(_)) {
+            told.marks.push(Mark { layer: layers::TO_GOAL.key, shape: Shape::Segments, vertices: vec![from, place(&self.task.goal())] });
+        }
         let lines = |fates: &dyn Fn(&Sample<N>) -> bool| -> Vec<[f64; 3]> {
             last.samples.iter().filter(|sample| fates(sample)).flat_map(|sample| [from, place(&sample.point)]).collect()
         };

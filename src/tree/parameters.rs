@@ -125,8 +125,8 @@ pub(super) const FORMULA_STEP: Formula = Formula::of_item(
     "extend",
     "[ARM-RRT] (11)",
     "A step towards the sample",
-    "x_{\\text{new}} = x_{\\text{near}} + L \\frac{x_{\\text{rand}} - x_{\\text{near}}}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert}",
-    "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert = @far@, \\quad L = @step@",
+    "\\class{after}{x_{\\text{new}}} = \\class{before}{x_{\\text{near}}} + \\class{step}{L \\frac{\\class{chosen}{x_{\\text{rand}}} - x_{\\text{near}}}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert}}",
+    "\\class{chosen}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert} = @far@, \\quad \\class{step}{L} = @step@",
 );
 pub(super) const FORMULA_RADIUS: Formula = Formula::of_item(
     "radius",

@@ -53,7 +53,7 @@ const FORMULA_ANGLE: Formula = Formula::of_item(
     "angle",
     "[ARM-RRT] §3.2.1",
     "Angle with the goal’s direction",
-    "\\varphi = \\arccos \\frac{(x_{\\text{rand}} - x_{\\text{near}}) \\cdot (x_{\\text{goal}} - x_{\\text{near}})}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert\\, \\lVert x_{\\text{goal}} - x_{\\text{near}} \\rVert}",
+    "\\varphi = \\arccos \\frac{\\class{chosen}{(x_{\\text{rand}} - x_{\\text{near}})} \\cdot \\class{to-goal}{(x_{\\text{goal}} - x_{\\text{near}})}}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert\\, \\lVert x_{\\text{goal}} - x_{\\text{near}} \\rVert}",
     "\\varphi = @angle@",
 )
 .when(CHOICE, "angle");
@@ -61,7 +61,7 @@ const FORMULA_ROULETTE: Formula = Formula::of_item(
     "roulette",
     "[ARM-RRT] §3.3, our weights",
     "Share of the roulette wheel",
-    "p_i = \\frac{\\pi - \\varphi_i}{\\sum_j (\\pi - \\varphi_j)}",
+    "p_i = \\frac{\\class{chosen}{\\pi - \\varphi_i}}{\\class{samples}{\\sum_j (\\pi - \\varphi_j)}}",
     "p = @share@",
 )
 .when(CHOICE, "angle");
@@ -69,7 +69,7 @@ const FORMULA_ROULETTE_DISTANCE: Formula = Formula::of_item(
     "roulette-distance",
     "[ARM-RRT] §3.3, our weights",
     "Share of the roulette wheel",
-    "p_i = \\frac{1/d_i}{\\sum_j 1/d_j}, \\quad d_i = \\lVert x_{\\text{goal}} - x_i \\rVert",
+    "p_i = \\frac{\\class{chosen}{1/d_i}}{\\class{samples}{\\sum_j 1/d_j}}, \\quad d_i = \\lVert x_{\\text{goal}} - x_i \\rVert",
     "p = @share@, \\quad d = @to_goal@",
 )
 .when(CHOICE, "distance");

@@ -97,17 +97,26 @@ impl Bats {
         let [inertia, _, best, others] = SUPPOSITIONS;
         told.suppositions = if walked { vec![others] } else { vec![inertia, best, others] };
         let first = terms[0];
-        quantities(&mut told, &MOVED, &[first.f, self.v[row.start], x[0], now.g[0], first.v, first.to]);
+        let by = |of: &dyn Fn(usize) -> f64| -> Vec<f64> { (0..x.len()).map(|j| x[j] + of(j)).collect() };
+        let v = &self.v[row.clone()];
+        quantities(&mut told, &MOVED, &[first.f, v[0], x[0], now.g[0], first.v, first.to]);
         if walked {
             quantities(&mut told, &WALKED, &[first.epsilon, after.mean_loudness]);
         }
         let costs = [now.cost[i], next.cost[i], next.p_cost[i], after.loudness[i], after.pulse_rate[i]];
         quantities(&mut told, &AFTERWARDS, &costs);
-        told.marks = vec![
-            mark(meaning, layers::BEFORE.key, x),
-            arrows(meaning, layers::JUMP.key, x, &to),
-            mark(meaning, layers::AFTER.key, &next.x[row]),
-        ];
+        told.marks = vec![mark(meaning, layers::BEFORE.key, x)];
+        if walked {
+            told.marks.push(arrows(meaning, layers::JUMP.key, &now.g, &to));
+        } else {
+            let pull = |j: usize| after.sign * (x[j] - now.g[j]) * terms[j].f;
+            told.marks.extend([
+                arrows(meaning, layers::INERTIA.key, x, &by(&|j| v[j])),
+                arrows(meaning, layers::SOCIAL.key, x, &by(&pull)),
+                arrows(meaning, layers::VELOCITY.key, x, &to),
+            ]);
+        }
+        told.marks.push(mark(meaning, layers::AFTER.key, &next.x[row]));
         Some(told)
     }
 }

@@ -25,6 +25,9 @@ impl Bats {
                     tries
                 ),
             ),
+            Range::Near if self.alone == Some(i) => {
+                ("2-opt", message!("tour-bat-alone", "It would try {tries} × a random 2-opt move.", tries))
+            }
             Range::Near => (
                 "2-opt",
                 message!(
