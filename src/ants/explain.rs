@@ -36,6 +36,16 @@ const PHEROMONE: Label = label!("ants-without-pheromone", "pheromone", "\\alpha 
 const SIGHT: Label = label!("ants-without-sight", "sight", "\\beta = 0", "without sight");
 const DIRECTION: Label = label!("ants-without-direction", "direction", "\\gamma = 0", "without direction");
 
+/// The product for a step without one of its factors.
+#[inline(never)]
+fn weight_without(colony: &Colony, cell: usize, [from, to]: [usize; 2], without: &str) -> f64 {
+    let ground = &*colony.ground;
+    let pull = if without == PHEROMONE.name { 1.0 } else { colony.pheromone.pull(cell, to) };
+    let seen = if without == SIGHT.name { 1.0 } else { ground.beta.of(ground.eta(cell)[to]) };
+    let angles = ground.direction.exponent(theta1(from, to)) + ground.direction.exponent(ground.theta2(cell, to));
+    pull * seen * if without == DIRECTION.name { 1.0 } else { math::exp(-ground.gamma * angles) }
+}
+
 impl<'a> View<'a> {
     fn new(colony: &'a Colony, cell: usize, without: Option<&str>) -> Self {
         let ground = &*colony.ground;
@@ -46,16 +56,13 @@ impl<'a> View<'a> {
         let allowed = (0..8).filter(|&d| moves >> d & 1 != 0 && open(d)).fold(0, |mask, d| mask | 1 << d);
         let eta = ground.eta(cell);
         let known = colony.pheromone.look(ground, cell);
-        let factor = |label: Label, is: f64| if without == Some(label.name) { 1.0 } else { is };
-        let weight = std::array::from_fn(|d| match without {
-            _ if allowed >> d & 1 == 0 => 0.0,
-            None => known[d] * ground.turn[from][d],
-            Some(_) => {
-                let [turn, off] = [theta1(from, d), ground.theta2(cell, d)].map(|theta| ground.direction.exponent(theta));
-                let seen = factor(PHEROMONE, colony.pheromone.pull(cell, d)) * factor(SIGHT, ground.beta.of(eta[d]));
-                seen * factor(DIRECTION, math::exp(-ground.gamma * (turn + off)))
-            }
-        });
+        let mut weight = [0.0; 8];
+        for d in (0..8).filter(|&d| allowed >> d & 1 != 0) {
+            weight[d] = match without {
+                None => known[d] * ground.turn[from][d],
+                Some(without) => weight_without(colony, cell, [from, d], without),
+            };
+        }
         Self {
             colony,
             ground,

@@ -117,7 +117,7 @@ impl Search {
     }
 
     /// Where the search would be if it had settled as many cells by another guess.
-    pub(super) fn suppose(&self, item: Item, supposition: &str) -> Option<Inspection> {
+    pub(super) fn suppose(&self, item: Item, supposition: &str) -> Inspection {
         let (task, cell) = (&self.task, item.index);
         let mut guess = task.guess;
         guess.weight *= if supposition == DOUBLED.name { 2.0 } else { 0.0 };
@@ -150,7 +150,7 @@ impl Search {
         if other.reached(cell).is_some() {
             marks.push(Mark::plane(layers::JUMP.key, Shape::Polyline, path(other.way(cell))));
         }
-        Some(Inspection { marks, ..Inspection::new(item, words::cell(&task.cells, cell), event, summary) })
+        Inspection { marks, ..Inspection::new(item, words::cell(&task.cells, cell), event, summary) }
     }
 
     /// The heuristic in the scene's unit, without its weight.

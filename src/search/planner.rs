@@ -72,6 +72,6 @@ impl Explain for Search {
     }
 
     fn suppose_now(&self, item: Item, supposition: &str) -> Option<Inspection> {
-        self.suppose(item, supposition)
+        Some(self.suppose(item, supposition))
     }
 }

@@ -368,7 +368,7 @@ const VELOCITY: Formula = Formula::of_item(
     "velocity",
     "[ANTBAT] (7)–(9)",
     "Flight: swaps towards the best",
-    "v_i = f_i \\, \\class{different}{(x^* \\ominus x_i)}, \\quad f_i = f_{\\min} + (f_{\\max} - f_{\\min}) \\beta, \\quad x_i' = x_i \\oplus v_i",
+    "v_i = f_i \\, \\class{different}{(x^* \\ominus x_i)}, \\quad f_i = f_{\\min} + (f_{\\max} - f_{\\min}) \\beta, \\quad \\class{way}{x_i'} = x_i \\oplus v_i",
     "f = @frequency@, \\quad |v| = @swaps@ \\text{ of } \\class{different}{@distance@}",
 );
 const LOUDNESS: Formula = Formula::of_item("loudness", "Yang 2010", "Loudness", "A_i \\leftarrow \\alpha A_i", "A = @loudness@");

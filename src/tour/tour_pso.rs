@@ -325,7 +325,7 @@ const VELOCITY: Formula = Formula::of_item(
     "|v| \\le @kept@ + @own@ + \\class{different}{@swarm@}",
 );
 const POSITION: Formula =
-    Formula::of_item("position", "Wang et al. 2003", "Position: an order", "x \\leftarrow x \\oplus v", "|v| = @velocity@");
+    Formula::of_item("position", "Wang et al. 2003", "Position: an order", "\\class{way}{x} \\leftarrow x \\oplus v", "|v| = @velocity@");
 
 /// What is told of each particle.
 const MEMBERS: &[Member] = &[

@@ -114,3 +114,46 @@ for (const colorScheme of ['light', 'dark'] as const) {
     })
   })
 }
+
+for (const [planner, scene, role, index, formula] of [
+  ['aco-direction', 'ant-bat-30', 'pheromone', 781, 'choice'],
+  ['aco-direction', 'ant-bat-30', 'ants', 3, 'laid'],
+  ['a-star', 'ant-bat-30', 'closed', 752, 'f'],
+  ['rrt', 'wcpso-discs', 'nodes', 20, 'extend'],
+  ['tour-pso', 'random-52', 'tours', 3, 'position'],
+  ['bat', 'random-52', 'tours', 5, 'tries'],
+  ['a-star-drive', 'crossing', 'moving', 0, 'approach'],
+  ['bat-continuous', 'sphere-2', 'particles', 4, 'bat-velocity-toward'],
+  ['cuckoo-search', 'sphere-2', 'particles', 6, 'levy-flight'],
+] as const)
+  test(`${planner}: what its ${role} did has terms that are marks, and can be supposed otherwise`, async ({ lab, page }) => {
+    const [setup, item, at] = [{ planner, scene, seed: 4 }, { role, index }, 30]
+    const told = sessionAt(setup, at, (session) => session.inspect(item))
+    if (!told) throw new Error('nothing there')
+    await lab.open(`${linkTo(setup, at)}&page.item=${role}.${index}`)
+    await lab.settled(at)
+    const terms = page.locator(`li:has([data-testid="live-${formula}"]) .math .term`)
+    await expect(terms.first()).toBeVisible()
+    const classes = await terms.evaluateAll((found) => found.map((term) => [...term.classList]))
+    const marked = told.layers.map((mark) => mark.role)
+    const named = classes.flat().filter((name) => marked.includes(name))
+    expect(named.length, `${classes.join()} of ${marked.join()}`).toBeGreaterThan(0)
+    // The term, its line in the key and its mark: one colour, and they light each other.
+    await terms.first().hover()
+    const [lit] = classes[0]?.filter((name) => marked.includes(name)) ?? []
+    await expect(page.getByTestId('inspect-key').locator(`[data-role="${lit}"] button`)).toHaveAttribute('aria-pressed', 'true')
+    const dark = (await lab.picture()).digest
+    await page.mouse.move(0, 0)
+    await expect.poll(async () => (await lab.picture()).digest).not.toBe(dark)
+    expect(told.suppositions).not.toEqual([])
+    for (const { name, title } of told.suppositions) {
+      const would = sessionAt(setup, at, (session) => session.suppose(item, name))
+      expect(
+        would?.layers.map((mark) => mark.role),
+        name,
+      ).toContain('supposed')
+      await page.getByTestId('what-if').getByRole('radio', { name: title, exact: true }).check({ force: true })
+      await expect(page.getByTestId('supposed')).toContainText(would?.summary ?? 'nothing')
+    }
+    expect(await lab.settled(at)).toBe(hashOf(setup, at))
+  })
