@@ -135,7 +135,7 @@ for (const [planner, scene, role, index, formula] of [
     const terms = page.locator(`li:has([data-testid="live-${formula}"]) .math .term`)
     await expect(terms.first()).toBeVisible()
     const classes = await terms.evaluateAll((found) => found.map((term) => [...term.classList]))
-    const marked = told.layers.map((mark) => mark.role)
+    const marked: string[] = told.layers.map((mark) => mark.role)
     const named = classes.flat().filter((name) => marked.includes(name))
     expect(named.length, `${classes.join()} of ${marked.join()}`).toBeGreaterThan(0)
     // The term, its line in the key and its mark: one colour, and they light each other.

@@ -1,9 +1,11 @@
-/* A scene that is too large for an address stays in this browser; the address has a name for it instead. */
+/* Scenes that are too large for an address stay in this browser; the address has a name for each instead. */
 
 /** Many programs cut off longer links. */
 export const LARGEST = 8192
-const SCENE = /([#&]scene=)(~[^&]*)/
+/** That of the run, and those that single planners have in Compare. */
+const SCENES = /([#&]scene=|;@=)(~[^&;,]*)/g
 const APART = /([#&]scene=)@([0-9a-f]{16})/
+
 /** A name for a text (FNV-1a, twice 32 bits). */
 export function nameOf(text: string): string {
   let [low, high] = [0x811c9dc5, 0x01234567]
@@ -18,17 +20,21 @@ export function nameOf(text: string): string {
 /** This browser keeps nothing: addresses are as long as they are. */
 let unable = false
 
-/** A link or address as it is shown: a large scene is kept apart, where a browser can. */
+/** A link or address as it is shown: where it is too long its scenes are kept apart, where a browser can. */
 export function shortened(link: string): string {
-  const [, , text] = SCENE.exec(link) ?? []
-  if (unable || link.length <= LARGEST || text === undefined) return link
-  const name = nameOf(text)
+  if (unable || link.length <= LARGEST) return link
+  const texts = new Map<string, string>()
+  const short = link.replace(SCENES, (_, key: string, text: string) => {
+    const name = nameOf(text)
+    texts.set(name, text)
+    return `${key}@${name}`
+  })
   import('./kept-scenes')
-    .then(({ keep }) => keep(name, text))
+    .then(({ keep }) => Promise.all([...texts].map(([name, text]) => keep(name, text))))
     .catch(() => {
       unable = true
     })
-  return link.replace(SCENE, `$1@${name}`)
+  return short
 }
 
 /** Whether its scene is kept apart. */

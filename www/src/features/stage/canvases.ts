@@ -1,11 +1,15 @@
 import { perLab } from '../../stores/context.svelte'
 import type { Display, Footer, Looks, Renderer } from '../../render/display'
+import type { Context } from '../../render/canvas/pen'
+import type { Theme } from '../../render/palette'
+import type { Size } from '../../render/view'
 import type { Lab } from '../../stores/lab.svelte'
 
 /** The canvases of a stage, lowest first, for those who want to save what they show. */
 interface Canvases {
   canvas: HTMLCanvasElement | null
-  over: HTMLCanvasElement | null
+  /** What lies over it. */
+  over: { size(): Size; drawOn(context: Context, density: number, theme: Theme): void } | null
   /** Who draws the lowest. */
   renderer: Renderer | null
   /** What is seen. */
@@ -25,8 +29,21 @@ export async function pictureOf(lab: Lab, renderer: Renderer, density: number, l
   const whole = new OffscreenCanvas(beneath.width, beneath.height)
   const context = whole.getContext('2d')
   context?.drawImage(beneath, 0, 0)
-  // Below what it lies over there may be more.
-  context?.drawImage(over, 0, 0, beneath.width, (over.height * beneath.width) / over.width)
+  if (context) over.drawOn(context, density, looks?.theme ?? { dark: lab.theme.dark })
   beneath.close()
   return whole.convertToBlob()
+}
+
+/** The same as SVG. */
+export async function drawingOf(lab: Lab, renderer: Renderer, title: string, looks?: Looks): Promise<string> {
+  const { over } = canvasesOf(lab)
+  const drawing = await renderer.files.svg(title, looks)
+  if (!over) return drawing
+  const { VectorContext } = await import('../../render/vector/context')
+  const { width, height } = over.size()
+  const context = new VectorContext(width, height, 1)
+  context.layer('drive')
+  over.drawOn(context, 1, looks?.theme ?? { dark: lab.theme.dark })
+  const end = drawing.lastIndexOf('</svg>')
+  return `${drawing.slice(0, end)}${await context.content()}\n${drawing.slice(end)}`
 }

@@ -140,6 +140,12 @@ export class VectorContext implements Context {
     if (role !== null) this.body.push(`<g class="${escaped(role)}">`)
   }
 
+  /** What was drawn, to be put into another drawing of the same size: without what it defines. */
+  async content(): Promise<string> {
+    this.layer(null)
+    return (await Promise.all(this.body)).join('\n')
+  }
+
   async svg(caption: string): Promise<string> {
     const [defined, body] = await Promise.all([Promise.all(this.defined), Promise.all(this.body)])
     const size = { width: this.width, height: this.height, viewBox: `0 0 ${this.width} ${this.height}` }
