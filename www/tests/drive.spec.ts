@@ -1,6 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { catalogue, type Drive } from '../../pkg/node.js'
+import palette from '../../src/describe/palette.json' with { type: 'json' }
 import { closer } from '../src/locales/en/closer'
+import { figures } from '../src/locales/en/figures'
 import { number } from '../src/text/number'
 import { Track } from '../src/scene/track'
 import { linkTo, sessionAt } from './support/core'
@@ -218,3 +220,28 @@ for (const width of [360, 920, 1000]) {
     ).toBe(true)
   })
 }
+
+test('the driving robot is in files, too: in the page’s colours, and in those of print', async ({ lab, page }) => {
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await begin(lab, 50)
+  await lab.press(text.pause)
+  await lab.choose('export')
+  const drawing = async (look: string): Promise<string> => {
+    await page.getByRole('radio', { name: look }).check({ force: true })
+    const [saved] = await Promise.all([page.waitForEvent('download'), page.getByTestId('export-svg').click()])
+    return (
+      readFileSync(await saved.path(), 'utf8')
+        .split('<g class="drive">')[1]
+        ?.split('</g>')[0] ?? 'not there'
+    )
+  }
+  for (const [look, column] of [
+    [figures.asShown, 1],
+    [figures.print, 0],
+  ] as const) {
+    const [shown, ...others] = [column, 1 - column].map((at) => String(palette.robot[at]))
+    const drive = await drawing(look)
+    expect(drive, look).toContain(shown)
+    for (const other of others) expect(drive, look).not.toContain(other)
+  }
+})
