@@ -1,24 +1,7 @@
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { FakeWorker, passed, scene } from '../../unit/worker'
-import { useHost } from '../engine/host'
-import { Gone } from '../engine/run-client'
-import { en } from '../locales/en/page'
-import { type Address, Lab } from './lab.svelte'
-import { Theme } from './theme.svelte'
-
-/** A run that has no address. */
-const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1, params: {} }
-const nowhere: Address = { first: null, watched: true, write: () => undefined }
-
-/** The page's state with a worker that answers by hand, at rest at iteration 0. */
-async function opened(): Promise<{ lab: Lab; worker: FakeWorker }> {
-  const worker = new FakeWorker()
-  useHost(worker.host)
-  const lab = new Lab(nowhere, new Theme(), FIRST)
-  void lab.open()
-  await worker.receiveAll()
-  return { lab, worker }
-}
+import { afterEach, beforeEach, describe, expect, test } from 'vitest'
+import { CHANGES, isAtRest, opened, replaced } from '../../unit/lab'
+import { type FakeWorker, passed, scene } from '../../unit/worker'
+import type { Lab } from './lab.svelte'
 
 let [lab, worker] = [] as unknown as [Lab, FakeWorker]
 
@@ -29,35 +12,7 @@ beforeEach(async () => {
 
 afterEach(() => lab.close())
 
-/** The page and the worker agree in the end, and nothing is on its way any more. */
-async function atRest(iteration: number): Promise<void> {
-  await worker.receiveAll()
-  expect(worker.state).toMatchObject({ iteration, playing: false })
-  expect({
-    iteration: lab.playback.iteration,
-    playing: lab.playback.playing,
-    target: lab.playback.target,
-    stale: lab.playback.stale,
-  }).toEqual({
-    iteration,
-    playing: false,
-    target: null,
-    stale: false,
-  })
-  expect(lab.playback.hash).toBe(`${worker.state.planner} ${iteration}`)
-}
-
-/** Changes that restart the run, and how many of their messages the worker takes in before the user goes on. */
-const CHANGES: Record<string, () => unknown> = {
-  'a parameter': () => lab.parameters.set('w', 2),
-  'a reset parameter': () => lab.parameters.reset('w'),
-  'the planner': () => lab.setup.setPlanner('pso'),
-  'the scene': () => lab.setup.openScene(scene('other')),
-  'the seed': () => lab.setup.setSeed(7),
-  'a random seed': () => lab.setup.newSeed(),
-  'a link': () => lab.openLink('pso,other,3,0'),
-  'an edit': () => lab.scene.addDisc(5, 5, 1),
-}
+const atRest = (iteration: number): Promise<void> => isAtRest(lab, worker, iteration)
 
 /** After these the new run stands where the one before stood. */
 const STAYING = new Set(['a parameter', 'a reset parameter', 'an edit'])
@@ -66,14 +21,14 @@ for (const [what, change] of Object.entries(CHANGES)) {
   describe(`after a change of ${what}`, () => {
     for (const received of [0, 1, 2]) {
       test(`a seek holds for the new run (${received} messages received)`, async () => {
-        void change()
+        void change(lab)
         for (let message = 0; message < received; message += 1) await worker.receive(false)
         lab.playback.seek(40)
         await atRest(40)
       })
 
       test(`of several seeks the last holds (${received} messages received)`, async () => {
-        void change()
+        void change(lab)
         lab.playback.seek(60)
         for (let message = 0; message < received; message += 1) await worker.receive(false)
         lab.playback.seek(50)
@@ -84,7 +39,7 @@ for (const [what, change] of Object.entries(CHANGES)) {
       test(`steps count from where the new run begins (${received} messages received)`, async () => {
         lab.playback.seek(20)
         await worker.receiveAll()
-        void change()
+        void change(lab)
         for (let message = 0; message < received; message += 1) await worker.receive(false)
         for (let step = 0; step < 3; step += 1) lab.playback.stepBy(1)
         await passed()
@@ -92,12 +47,12 @@ for (const [what, change] of Object.entries(CHANGES)) {
       })
 
       test(`play and pause hold for the new run (${received} messages received)`, async () => {
-        void change()
+        void change(lab)
         for (let message = 0; message < received; message += 1) await worker.receive(false)
         lab.playback.play()
         await worker.receiveAll()
         expect([worker.state.playing, lab.playback.playing]).toEqual([true, true])
-        void change()
+        void change(lab)
         for (let message = 0; message < received; message += 1) await worker.receive(false)
         lab.playback.pause()
         await atRest(0)
@@ -279,13 +234,13 @@ test('what is inspected while the run restarts stays inspected', async () => {
 test('what was inspected in a run is not inspected in the next, nor by a thread that takes its place', async () => {
   lab.selection.inspect({ role: 'particles', index: 4 } as never)
   await worker.receiveAll()
-  replace().opens()
+  replaced(lab, worker).opens()
   await worker.receiveAll()
   expect(lab.selection.wanted).toEqual({ role: 'particles', index: 4 })
   lab.setup.setPlanner('pso')
   await worker.receiveAll()
   expect(lab.selection.wanted).toBeNull()
-  replace().opens()
+  replaced(lab, worker).opens()
   await worker.receiveAll()
   expect(lab.selection.wanted).toBeNull()
 })
@@ -371,135 +326,4 @@ test('a scene from a file that comes after another was opened does not replace i
   expect(await asked).toBeNull()
   await worker.receiveAll()
   expect(await lab.scene.ask(() => Promise.resolve('a map'))).toBe('a map')
-})
-
-/** Another thread takes the place of the present one, once it `opens`. */
-function replace(): { opens: () => void } {
-  let opens = (): void => undefined
-  worker.core = new Promise((resolve) => (opens = () => resolve(undefined)))
-  lab['client']['replace']()
-  worker.core = Promise.resolve(undefined)
-  return { opens }
-}
-
-describe('a thread that does not answer', () => {
-  test('is replaced by one that goes on as the run did', async () => {
-    lab.playback.seek(20)
-    lab.playback.play()
-    await worker.receiveAll()
-    void lab.parameters.set('w', 2)
-    replace().opens()
-    await worker.receiveAll()
-    expect(worker.state).toMatchObject({ params: { w: 2 }, playing: true })
-    expect([lab.playback.playing, lab.playback.stale]).toEqual([true, false])
-  })
-
-  test('is replaced by one that plays on from where it was', async () => {
-    lab.playback.seek(20)
-    lab.playback.play()
-    await worker.receiveAll()
-    replace().opens()
-    await worker.receiveAll()
-    expect(worker.state).toMatchObject({ iteration: 20, playing: true })
-  })
-
-  test('leaves seeks to the one that is loading', async () => {
-    lab.playback.play()
-    await worker.receiveAll()
-    const { opens } = replace()
-    lab.playback.seek(30)
-    opens()
-    await atRest(30)
-  })
-
-  test('leaves changes to the one that is loading', async () => {
-    const { opens } = replace()
-    lab.setup.setSeed(7)
-    lab.playback.stepBy(1)
-    opens()
-    await atRest(1)
-    expect(worker.state.seed).toBe(7)
-  })
-
-  describe('in time', () => {
-    beforeEach(() => void vi.useFakeTimers({ toFake: ['setInterval', 'clearInterval'] }))
-    afterEach(() => void vi.useRealTimers())
-
-    test.each(Object.keys(CHANGES))('is replaced if it has not received %s after three seconds', async (change) => {
-      const { threads } = worker
-      void CHANGES[change]?.()
-      vi.advanceTimersByTime(2900)
-      expect(worker.threads).toBe(threads)
-      vi.advanceTimersByTime(200)
-      expect(worker.threads).toBe(threads + 1)
-      await worker.receiveAll()
-      expect(lab.playback.stale).toBe(false)
-    })
-
-    test('is not replaced while it starts a run that it was told of', async () => {
-      const { threads } = worker
-      lab.setup.setSeed(7)
-      await worker.receive(false)
-      vi.advanceTimersByTime(10_000)
-      expect(worker.threads).toBe(threads)
-      await atRest(0)
-    })
-  })
-
-  test('leaves its questions to the next one', async () => {
-    const link = lab.api.newSeed()
-    replace().opens()
-    await worker.receiveAll()
-    expect(await link).toBeGreaterThan(1000)
-  })
-})
-
-test('what a thread was asked that broke down is not asked again, and what the user made is kept', async () => {
-  const asked = lab.parameters.set('w', 2)
-  const question = lab.api.newSeed()
-  worker.crash('unreachable')
-  await asked
-  await expect(question).rejects.toBeInstanceOf(Gone)
-  expect([lab.phase, lab.playback.stale, lab.playback.playing]).toEqual(['crashed', true, false])
-  void lab.open()
-  await atRest(0)
-  expect([worker.state.params, lab.parameters.values]).toEqual([{ w: 2 }, { w: 2 }])
-})
-
-test('a link in the address is opened after a thread has broken down before it was read', async () => {
-  const fake = new FakeWorker()
-  useHost(fake.host)
-  const page = new Lab({ ...nowhere, first: '#pso,other,3,25' }, new Theme(), FIRST)
-  void page.open()
-  while (fake.waiting < 2) await passed()
-  fake.crash('no core')
-  await passed()
-  expect(page.phase).toBe('crashed')
-  void page.open()
-  await fake.receiveAll()
-  expect(fake.state).toMatchObject({ planner: '#pso', seed: 3, iteration: 25 })
-  page.close()
-})
-
-test('a part that cannot be loaded is no fault of the scene, and is tried again', async () => {
-  worker.unloaded = true
-  lab.setup.setPlanner('pso')
-  await worker.receiveAll()
-  expect([lab.notices.unloaded?.message, lab.run.refusal, lab.playback.stale]).toEqual([en.notices.unloaded('Failed to fetch'), null, true])
-  worker.unloaded = false
-  void lab.notices.retry()
-  await atRest(0)
-  expect([lab.notices.unloaded, worker.state.planner]).toEqual([null, 'pso'])
-})
-
-test('a link whose part cannot be loaded is opened when it is tried again', async () => {
-  worker.unloaded = true
-  void lab.openLink('pso,sphere,7,3')
-  await worker.receiveAll()
-  const message = en.notices.link(en.notices.unloaded('Failed to fetch'))
-  expect([lab.notices.unloaded?.message, lab.notices.text, lab.run.failed, lab.setup.plannerName]).toEqual([message, '', false, 'wcpso'])
-  worker.unloaded = false
-  void lab.notices.retry()
-  await atRest(3)
-  expect([lab.notices.unloaded, worker.state.planner, worker.state.seed]).toEqual([null, 'pso', 7])
 })
