@@ -42,9 +42,19 @@ for (const [room, address] of Object.entries(ROOMS)) {
     const browser = await page.context().newCDPSession(page)
     await browser.send('Page.setFontSizes', { fontSizes: { standard: 32, fixed: 26 } })
     await expect.poll(() => page.evaluate(() => Number.parseFloat(getComputedStyle(document.documentElement).fontSize))).toBe(32)
-    for (const width of [1280, 768]) {
-      await page.setViewportSize({ width, height: 900 })
+    for (const width of [1280, 768, 390, 320]) {
+      await page.setViewportSize({ width, height: 800 })
       await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth), String(width)).toBeLessThanOrEqual(width)
+      // What leads elsewhere is in view as a whole, and a stage is large enough to see something.
+      const cut = (): Promise<string[]> =>
+        page.locator('header button, nav button, [role="tab"]').evaluateAll((buttons) =>
+          buttons
+            .filter((button) => button.checkVisibility())
+            .filter((button) => button.getBoundingClientRect().right > innerWidth + 1 || button.scrollWidth > button.clientWidth + 1)
+            .map(({ textContent, ariaLabel }) => ariaLabel ?? textContent),
+        )
+      await expect.poll(cut, String(width)).toEqual([])
+      if (room.startsWith('lab')) await expect.poll(async () => (await lab.stage.boundingBox())?.height, String(width)).toBeGreaterThan(180)
     }
   })
 }
