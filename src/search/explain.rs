@@ -19,6 +19,9 @@ const COLUMNS: [Label; 3] = [
     label!("search-together", "f", "f", "together, as the queue is ordered"),
 ];
 
+/// Larger searches are not repeated to suppose something: that would take long, and as much memory again.
+const MOST_CELLS: usize = 1 << 21;
+
 /// What can be supposed of a search that guesses, and of one that does not.
 const UNGUIDED: Label = label!("search-without-heuristic", "unguided", "h = 0", "without the heuristic");
 const DOUBLED: Label = label!("search-twice-the-heuristic", "doubled", "2 w", "with twice its weight");
@@ -45,7 +48,7 @@ impl Search {
         if self.ahead(cell) > 0.0 {
             told.marks.insert(0, Mark::plane(layers::TO_GOAL.key, Shape::Polyline, self.guessed_way(cell)));
         }
-        if self.expanded > 0 {
+        if self.expanded > 0 && cells.len() <= MOST_CELLS {
             told.suppositions = if self.guesses() { vec![UNGUIDED, DOUBLED] } else { vec![GUIDED] };
         }
         for d in (0..8).filter(|d| cells.moves(cell) >> d & 1 != 0) {
