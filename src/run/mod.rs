@@ -3,7 +3,7 @@
 //! `setup` is what a run is made of, `start` begins it, `stepping` steps, rewinds, draws and reads it, `outcome` judges it, and [`link`]
 //! puts it into an address. `subtasks` carries out the runs of other planners that a run needs; `answers` remembers what they
 //! found. `keyframes` and `origin` are for the way back, `trace` has the readings of past iterations, `curve` the best results.
-//! [`trial`] is one run of many, summed up in a line.
+//! `task` judges a run by what it was to reach. [`trial`] is one run of many, summed up in a line.
 
 mod answers;
 mod curve;
@@ -15,6 +15,7 @@ mod setup;
 mod start;
 mod stepping;
 mod subtasks;
+mod task;
 mod trace;
 pub mod trial;
 
@@ -24,6 +25,7 @@ pub use outcome::Outcome;
 pub use setup::Setup;
 pub use stepping::Run;
 pub use subtasks::{run_subtasks, run_subtasks_until, run_to_end};
+pub use task::{Goal, Judgement, Task};
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use trace::OTHER_READINGS;
 pub use trace::{Trace, csv_heading, csv_line, csv_row};

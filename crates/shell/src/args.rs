@@ -40,6 +40,11 @@ pub(super) enum Command {
     /// Generate a random scene; the same parameters and seed give the same scene.
     #[command(after_help = examples::generate())]
     Generate(GenerateArgs),
+    /// Replay the runs that were handed in as links, and say which of them reach a task's goal.
+    ///
+    /// Prints a CSV row for each link. Exit code 0: all reached the goal, and their hashes came out again; 1: some did not.
+    #[command(after_help = examples::GRADE)]
+    Grade(GradeArgs),
     /// Repeat a published experiment and compare the results with the published values.
     ///
     /// Finished runs are kept: after an interruption the same command continues.
@@ -114,6 +119,19 @@ pub(super) struct ExactArgs {
     /// Print JSON: length and path.
     #[arg(long)]
     pub(super) json: bool,
+}
+
+#[derive(Args)]
+pub(super) struct GradeArgs {
+    /// A text file with a link in each line; whose it is may stand before it. Lines that begin with `# ` are skipped.
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(super) links: PathBuf,
+    /// The task: a JSON file with goal and budget, and what is given of planner, scene and parameters.
+    #[arg(long, value_name = "FILE.json", value_hint = ValueHint::FilePath)]
+    pub(super) task: PathBuf,
+    /// How many threads to use; default: all cores. The rows do not depend on it.
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    pub(super) jobs: Option<NonZeroUsize>,
 }
 
 #[derive(Args)]

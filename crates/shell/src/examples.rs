@@ -45,6 +45,13 @@ pub(super) const EXACT: &str = "Examples:
   forage exact --scene wcpso-discs
   forage exact --scene wolf-ant-20 --json";
 
+pub(super) const GRADE: &str = r#"Examples:
+  forage grade links.txt --task task.json
+  forage grade links.txt --task task.json > marks.csv
+
+A task: {"goal": {"gap": 0.01}, "budget": {"evaluations": 5000}, "scene": "wcpso-discs"}
+The goal is at most so much of gap, length or cost; budget, planner, scene and params may be left out."#;
+
 pub(super) const CONVERT: &str = "Examples:
   forage convert wolf-ant-20 wolf.scen
   forage convert wolf.scen --problem 0 wolf.json

@@ -18,6 +18,8 @@ use super::{failure::Failure, text::quoted};
 pub(super) const LARGEST_SCENE: Limit = Limit { bytes: limits::FILE_BYTES as u64, what: "a scene file" };
 /// The largest description of an experiment.
 pub(super) const LARGEST_EXPERIMENT: Limit = Limit { bytes: 4 << 20, what: "an experiment’s file" };
+/// The largest list of links: a thousand with scenes of their own.
+pub(super) const LARGEST_LIST: Limit = Limit { bytes: 256 << 20, what: "a list of links" };
 /// The longest link.
 pub(super) const LONGEST_LINK: Limit = Limit { bytes: limits::LINK_BYTES as u64, what: "a link" };
 
@@ -95,7 +97,7 @@ fn cannot_be_written(path: &Path, why: &str) -> Failure {
     Failure::Refused(format!("{} cannot be written: {why}", quoted_path(path)))
 }
 
-fn quoted_path(path: &Path) -> String {
+pub(super) fn quoted_path(path: &Path) -> String {
     quoted(&path.to_string_lossy())
 }
 

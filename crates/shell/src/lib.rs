@@ -30,6 +30,7 @@ mod experiment;
 mod failure;
 mod files;
 mod generate;
+mod grade;
 mod install;
 mod interrupt;
 mod list;
@@ -66,6 +67,7 @@ pub fn main_with(known: Registry) -> ExitCode {
         Command::Exact(args) => exact::exact(&args.scene, args.json),
         Command::Convert(args) => convert::convert(&args),
         Command::Generate(args) => generate::generate(&args),
+        Command::Grade(args) => grade::grade(&args),
         Command::Reproduce(args) => reproduce::reproduce(args),
         Command::Study(args) => reproduce::study(args),
         Command::Experiment(args) => experiment::experiment(&args),

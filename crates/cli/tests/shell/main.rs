@@ -4,6 +4,7 @@
 mod convert;
 mod experiment;
 mod files;
+mod grade;
 mod help;
 mod install;
 mod list;
