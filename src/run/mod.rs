@@ -15,6 +15,7 @@ mod setup;
 mod start;
 mod stepping;
 mod subtasks;
+#[cfg(not(target_arch = "wasm32"))]
 mod task;
 mod trace;
 pub mod trial;
@@ -25,6 +26,7 @@ pub use outcome::Outcome;
 pub use setup::Setup;
 pub use stepping::Run;
 pub use subtasks::{run_subtasks, run_subtasks_until, run_to_end};
+#[cfg(not(target_arch = "wasm32"))]
 pub use task::{Goal, Judgement, Task};
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use trace::OTHER_READINGS;

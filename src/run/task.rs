@@ -1,6 +1,6 @@
 //! Tasks: what a run is to reach, for lessons, and to grade what is handed in.
 
-use std::sync::Arc;
+use std::{collections::BTreeSet, sync::Arc};
 
 use serde_json::Value as Json;
 
@@ -86,6 +86,7 @@ impl Task {
             whole => Some(Arc::new(registry.read_scene(&whole.to_string())?)),
         };
         let params = params(fields.take("params"))?;
+        check(registry, planner.as_deref(), &params)?;
         fields.end()?;
         Ok(Self { goal, evaluations, planner, scene, params })
     }
@@ -274,6 +275,20 @@ fn params(found: Json) -> Result<Overrides, Error> {
         params.insert(name, value);
     }
     Ok(params)
+}
+
+/// Refuses parameters that the planner does not have, or that none has.
+fn check(registry: &Registry, planner: Option<&str>, params: &Overrides) -> Result<(), Error> {
+    let planners: Vec<_> = registry.planners().iter().filter(|entry| planner.is_none_or(|name| name == entry.name)).collect();
+    for (name, value) in params.iter() {
+        let checked: Vec<_> = planners.iter().filter_map(|entry| entry.parameter(name)).map(|parameter| parameter.check(value)).collect();
+        let Some(checked) = checked.into_iter().reduce(Result::or) else {
+            let known: BTreeSet<_> = planners.iter().flat_map(|entry| entry.all_parameters()).map(|parameter| parameter.name).collect();
+            return Err(Error::unknown("params", name, known));
+        };
+        checked?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]

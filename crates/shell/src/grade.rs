@@ -75,9 +75,12 @@ fn handed(line: usize, text: &str) -> Option<Handed<'_>> {
     if text.is_empty() || text.starts_with("# ") {
         return None;
     }
-    // The link is the last word: addresses have no spaces.
-    let (name, link) = text.rsplit_once([' ', '\t', ',', ';']).filter(|(_, link)| Link::is_link(link)).unwrap_or(("", text));
-    Some(Handed { line, name: name.trim_matches([' ', '\t', ',', ';', ':', '"']), link: link.trim_matches('"') })
+    let Some(fragment) = text.find("#v=") else { return Some(Handed { line, name: "", link: text }) };
+    // An address has no spaces and no quotes; before it, commas and semicolons part it from a name.
+    let parts = |c: char| c.is_whitespace() || ['"', ',', ';'].contains(&c);
+    let begin = text[..fragment].rfind(parts).map_or(0, |at| at + 1);
+    let end = text[fragment..].find(|c: char| c.is_whitespace() || c == '"').map_or(text.len(), |at| fragment + at);
+    Some(Handed { line, name: text[..begin].trim_matches(|c| parts(c) || c == ':'), link: &text[begin..end] })
 }
 
 /// All of them, in their order; several at a time.

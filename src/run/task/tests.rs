@@ -122,6 +122,9 @@ fn a_task_that_makes_no_sense_is_refused_with_its_field() {
         (r#"{"goal": {"gap": 1}, "scene": "nowhere"}"#, "scene"),
         (r#"{"goal": {"gap": 1}, "params": 3}"#, "params"),
         (r#"{"goal": {"gap": 1}, "params": {"w": [1]}}"#, "params.w"),
+        (r#"{"goal": {"gap": 1}, "params": {"weight_of": 1}}"#, "weight_of"),
+        (r#"{"goal": {"gap": 1}, "planner": "pso", "params": {"beta": 1}}"#, "beta"),
+        (r#"{"goal": {"gap": 1}, "planner": "pso", "params": {"population": -1}}"#, "population"),
         (r#"{"goal": {"gap": 1}, "goals": 3}"#, "task.goals"),
     ] {
         let error = Task::read(standard(), text).unwrap_err();

@@ -30,13 +30,15 @@ fn each_link_gets_a_row_with_whose_it_is_and_what_is_wrong() {
     let good = link("pso", "wcpso-discs", 3, 300);
     let other = good.replace("&seed=3", "&seed=4");
     let elsewhere = link("pso", "discs-gate", 1, 20);
-    let links = format!("# Group 2\n\nAda Lovelace, {good}\nBo\t{other}\n{elsewhere}\n\"Cy\";no link at all\n");
+    // What the page adds has commas, too.
+    let seen = format!("{good}&page.camera=5,4,2&page.layers=best,-particles");
+    let links = format!("# Group 2\n\n\"Lovelace, Ada\";\"{seen}\";4 July\nBo:\t{other}\n{elsewhere}\n\"Cy\";no link at all\n");
     let (code, rows, told) = graded(&folder, &links, TASK);
     assert_eq!(code, Some(1), "{told}");
     let header: Vec<_> = rows[0].iter().take(6).collect();
     assert_eq!(header, ["reached", "evaluations", "verified", "reason", "line", "name"]);
     let row = |k: usize| -> Vec<&str> { [0, 2, 4, 5, 6, 7].map(|column| &rows[k][column]).to_vec() };
-    assert_eq!(row(1), ["true", "true", "3", "Ada Lovelace", "pso", "wcpso-discs"]);
+    assert_eq!(row(1), ["true", "true", "3", "Lovelace, Ada", "pso", "wcpso-discs"]);
     assert!(rows[1][1].parse::<u64>().unwrap() > 0 && rows[1][3].is_empty());
     assert_eq!(row(2)[1..], ["false", "4", "Bo", "pso", "wcpso-discs"]);
     assert!(rows[2][3].contains("give the hash"), "{}", &rows[2][3]);
@@ -58,6 +60,7 @@ fn what_cannot_be_graded_is_refused() {
         ("\n# nobody\n", TASK, "no link"),
         ("x\n", r#"{"goal": {"gap": "small"}}"#, "goal"),
         ("x\n", "goal", "not JSON"),
+        ("x\n", r#"{"goal": {"gap": 0.1}, "planner": "pso", "params": {"w_max": 0.1}}"#, "w_max"),
         ("x\n", r#"{"goal": {"gap": 0.1}, "scene": "wcpso-disc"}"#, "wcpso-discs"),
     ] {
         let (code, rows, told) = graded(&folder, links, task);
