@@ -304,6 +304,10 @@ fn walked(colony: &Colony, item: Item, ant: &Ant) -> Inspection {
         ),
         End::Lost => ("lost", message!("ants-lost", "Ant {i} reached the step limit on its way and lays nothing.", i)),
     };
+    let mut suppositions = vec![label!("ants-other-random-numbers", "random", "r", "with other random numbers")];
+    if colony.pheromone.exponent() != 0.0 {
+        suppositions.push(PHEROMONE);
+    }
     let mut values = Vec::new();
     let mut formulas = Vec::new();
     let mut marks = vec![Mark::plane(layers::WAY.key, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)];
@@ -339,11 +343,5 @@ fn walked(colony: &Colony, item: Item, ant: &Ant) -> Inspection {
             Update::Own(_) => None,
         });
     }
-    Inspection {
-        values,
-        formulas,
-        marks,
-        suppositions: vec![label!("ants-other-random-numbers", "random", "r", "with other random numbers"), PHEROMONE],
-        ..Inspection::new(item, message!("ants-ant", "Ant {i}", i), event, summary)
-    }
+    Inspection { values, formulas, marks, suppositions, ..Inspection::new(item, message!("ants-ant", "Ant {i}", i), event, summary) }
 }

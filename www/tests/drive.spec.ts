@@ -231,7 +231,7 @@ test('the driving robot is in files, too: in the page’s colours, and in those 
     const [saved] = await Promise.all([page.waitForEvent('download'), page.getByTestId('export-svg').click()])
     return (
       readFileSync(await saved.path(), 'utf8')
-        .split('<g class="drive">')[1]
+        .split(/<svg width="\d+" height="\d+"><g class="drive">/)[1]
         ?.split('</g>')[0] ?? 'not there'
     )
   }

@@ -11,6 +11,10 @@ export async function pictureOf(lab: Lab, renderer: Renderer, density: number, l
   const whole = new OffscreenCanvas(beneath.width, beneath.height)
   const context = whole.getContext('2d')
   context?.drawImage(beneath, 0, 0)
+  // Beneath the stage there may be a caption.
+  const { width, height } = over.size()
+  context?.rect(0, 0, width * density, height * density)
+  context?.clip()
   if (context) over.drawOn(context, density, looks?.theme ?? { dark: lab.theme.dark })
   beneath.close()
   return whole.convertToBlob()
@@ -27,5 +31,5 @@ export async function drawingOf(lab: Lab, renderer: Renderer, title: string, loo
   context.layer('drive')
   over.drawOn(context, 1, looks?.theme ?? { dark: lab.theme.dark })
   const end = drawing.lastIndexOf('</svg>')
-  return `${drawing.slice(0, end)}${await context.content()}\n${drawing.slice(end)}`
+  return `${drawing.slice(0, end)}<svg width="${width}" height="${height}">${await context.content()}</svg>\n${drawing.slice(end)}`
 }
