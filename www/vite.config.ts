@@ -5,6 +5,7 @@ import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
 import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
+import { lessons } from './plugins/lessons.ts'
 import { installable } from './plugins/installable.ts'
 import { palette } from './plugins/palette.ts'
 import { policy } from './plugins/policy.ts'
@@ -28,8 +29,9 @@ export default defineConfig({
   plugins: [
     svelte(),
     early(['forage_bg', 'catalogue']),
-    formulas(core),
+    formulas(core, `${root}/lessons`),
     palette(`${root}/src/describe/palette.json`),
+    lessons(`${root}/lessons`),
     recordings(core),
     reproduction(root),
     policy(),

@@ -110,7 +110,7 @@ export default defineConfig(({ mode }) => ({
   plugins: [
     unaddressed(core),
     svelte(),
-    formulas(core),
+    formulas(core, at('../lessons')),
     palette(at('../src/describe/palette.json')),
     inlined(core, files, threads, { ...shared, plugins: [unaddressed(core)] }),
     mode === 'element' ? withStyles() : withPage(),

@@ -1,4 +1,4 @@
-import { readFile } from 'node:fs/promises'
+import { readdir, readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import temml from 'temml'
 import type { Plugin } from 'vite'
@@ -7,6 +7,13 @@ const ID = 'virtual:formulas'
 const RESOLVED = `\0${ID}`
 /** The names that the formulas of those who follow a path have beside those of the planners. */
 const FOLLOWERS = ['drive', 'motion'] as const
+
+interface Texts {
+  texts?: Record<string, Record<string, string>>
+}
+
+/** As `src/ui/markdown.ts` has it. */
+const SYMBOL = /\$([^\s$](?:[^$\n]*[^\s$])?)\$(?!\d)/g
 
 interface Follower {
   parameters: { symbol: string }[]
@@ -38,8 +45,9 @@ interface Symbols {
  * Provides `virtual:formulas`: the catalogue's TeX as MathML, made while building, so that the page ships no TeX engine.
  * Symbols come at once, a planner's formulas (`virtual:formulas/wcpso`) when they are asked for.
  * @param core the folder that the wasm package was built into
+ * @param texts a folder of JSON files whose texts have symbols, too
  */
-export function formulas(core: string): Plugin {
+export function formulas(core: string, texts: string): Plugin {
   const file = resolve(core, 'catalogue.json')
 
   return {
@@ -59,7 +67,7 @@ export function formulas(core: string): Plugin {
       }
       const loaders = Object.keys(displayed).map((name) => `${JSON.stringify(name)}: () => import(${JSON.stringify(`${ID}/${name}`)})`)
       return [
-        `export const inline = ${JSON.stringify(typeset(symbolsOf(catalogue), false))}`,
+        `export const inline = ${JSON.stringify(typeset(new Set([...symbolsOf(catalogue), ...(await symbolsIn(texts))]), false))}`,
         `export const display = { ${loaders.join(', ')} }`,
       ].join('\n')
     },
@@ -77,6 +85,14 @@ function symbolsOf({ planners, symbols = [], ...others }: Symbols): Set<string> 
   const followers = FOLLOWERS.flatMap((name) => [...others[name].parameters, ...others[name].columns])
   const told = [...planners.flatMap(({ parameters, readings }) => [...parameters, ...readings]), ...followers]
   return new Set([...symbols, ...told.map(({ symbol }) => symbol)])
+}
+
+/** The TeX in the texts of a folder's files. */
+async function symbolsIn(folder: string): Promise<string[]> {
+  const names = (await readdir(folder)).filter((name) => name.endsWith('.json') && !name.endsWith('.schema.json'))
+  const files = await Promise.all(names.map(async (name) => (JSON.parse(await readFile(resolve(folder, name), 'utf8')) as Texts).texts))
+  const texts = files.flatMap((languages = {}) => Object.values(languages).flatMap((known) => Object.values(known)))
+  return texts.flatMap((text) => [...text.matchAll(SYMBOL)].map(([, tex = '']) => tex))
 }
 
 /** The TeX in a planner's pseudocode. */

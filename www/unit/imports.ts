@@ -3,7 +3,20 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { dirname, join, normalize } from 'node:path'
 
 /** The folders of `src`, low to high: a file imports only files of its own folder and of those above it in this list. */
-export const ORDER = ['locales', 'text', 'scene', 'catalogue', 'render', 'engine', 'ui', 'stores', 'features', 'rooms', 'hosts'] as const
+export const ORDER = [
+  'locales',
+  'text',
+  'scene',
+  'catalogue',
+  'lessons',
+  'render',
+  'engine',
+  'ui',
+  'stores',
+  'features',
+  'rooms',
+  'hosts',
+] as const
 
 /** The files that each file imports; paths are relative to the sources' root. */
 export type Graph = ReadonlyMap<string, ReadonlySet<string>>

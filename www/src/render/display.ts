@@ -59,6 +59,8 @@ export interface Display extends Partial<InSpace> {
   /** The keys of the layers that are not drawn. */
   hidden: readonly string[]
   overlays: readonly Overlay[]
+  /** The keys of the layers that stand out: all else is faint. */
+  highlighted: readonly string[] | null
   /** What is looked at closer: all else is faint. */
   details: readonly Detail[] | null
   /** The result is followed in a layer above this one. */

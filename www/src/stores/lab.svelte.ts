@@ -88,6 +88,7 @@ export class Lab {
 
   private readonly starts: Starts = new Starts(this, this.client, this.requests, this.awaited)
   readonly openLink = this.starts.openLink
+  readonly openMoment = this.starts.openMoment
   readonly undo = (): void => this.starts.travel('undo')
   readonly redo = (): void => this.starts.travel('redo')
 

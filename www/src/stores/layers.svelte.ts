@@ -28,6 +28,9 @@ export class LayersStore {
   /** The layers that are left while there may be few only. */
   only = $state.raw<ReadonlySet<string> | null>(null)
 
+  /** The layers that stand out: all others are faint. */
+  highlighted = $state.raw<readonly string[] | null>(null)
+
   shows = (role: string, standard: boolean): boolean => (this.only?.has(role) ?? true) && (this.chosen[role] ?? standard)
 
   show = (role: string, on: boolean): void => {

@@ -12,12 +12,15 @@ const HEIRS = new Map<string, readonly [View, string]>([
 ])
 
 const PREFIX = '#view='
+/** Of a lesson, as embeds have it. */
+const LESSON = '#lesson='
 /** While a run plays, its link is written seldom, in milliseconds. Browsers count how often an address changes: a burst of edits is written once. */
 const INTERVAL = 3000
 const LEAST = 300
 
 /** The view that an address is of, and what it says of it: `#view=compare&seeds=3-9`. Others are links of runs. */
 function placeOf(hash: string): { view: View; keys: string } | undefined {
+  if (hash.startsWith(LESSON)) return { view: 'learn', keys: `&${hash.slice(1)}` }
   const [name = '', ...rest] = hash.startsWith(PREFIX) ? hash.slice(PREFIX.length).split('&') : []
   const keys = rest.map((pair) => `&${pair}`).join('')
   const [heir, meant] = HEIRS.get(name) ?? []
@@ -72,6 +75,15 @@ class Route {
     history.pushState(this.mark, '', this.address || '#')
   }
 
+  /** Shows a view as its keys say. What was shown before is a step back. */
+  open = (view: View, keys: string): void => {
+    this.view = view
+    this.wanted = { keys, taken: false }
+    this.standing.set(view, keys)
+    clearTimeout(this.timer)
+    history.pushState(this.mark, '', this.address)
+  }
+
   /** The run's link: at once where it stays, seldom while it plays. */
   write(link: string, when: 'now' | 'soon'): void {
     this.opening = false
@@ -85,6 +97,8 @@ class Route {
     // What the address wants of it is not done yet.
     if (view === this.view && this.wanted.taken) this.replaceWhen(when)
   }
+
+  keysOf = (view: View): string => this.standing.get(view) ?? ''
 
   /** What the address wants of a view, once: its keys with their values as they are written. */
   take(view: View): ReadonlyMap<string, string> | null {
@@ -132,8 +146,9 @@ class Route {
     this.view = viewOf(hash)
     this.opening = false
     if (place) {
-      const known = place.keys === '' || place.keys === this.standing.get(place.view)
-      this.wanted = wishOf(known ? '' : place.keys)
+      // Without keys it is as it stands; only Learn has a list to come back to.
+      const known = (place.keys === '' && place.view !== 'learn') || place.keys === (this.standing.get(place.view) ?? '')
+      this.wanted = known ? wishOf('') : { keys: place.keys, taken: false }
       if (known) this.replace()
       return null
     }

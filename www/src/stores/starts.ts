@@ -73,6 +73,9 @@ export class Starts {
     return opened
   }
 
+  /** Opens a run where it is wanted to be. */
+  openMoment = (setup: LinkSetup): void => this.openSetup(setup, this.requests.note('setup', 'seed'))
+
   private openSetup(setup: LinkSetup, request: number): void {
     const { iteration, hash } = setup
     this.stores.experiments.leave(false)

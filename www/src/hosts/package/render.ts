@@ -155,6 +155,7 @@ class Drawing implements RunDrawing {
       faded: false,
       hidden: layers.filter(({ role, on }) => !shows(role, on)).map(({ role }) => role),
       overlays,
+      highlighted: null,
       details: null,
       followed: false,
       touring: scene.kind === 'tour' || planner.stops,

@@ -31,7 +31,7 @@ export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: str
     const isResult = result > 0 && look.result === result
     const pieces = piecesOf(spans, number, names.shapes)
     const plain = stopsOf(scene).length > CROWD ? thinner(lookBeside(look, result)) : lookBeside(look, result)
-    const style = pickable && !isResult && pieces.length <= FEW ? clear(plain) : plain
+    const style = pickable && !isResult && pieces.length <= FEW ? clear(plain, pieces) : plain
     const own = more.own?.(look) ?? (pieces[0]?.shape === 'tube' ? more.drawTubes : undefined)
     if (own) {
       own(pen, style, vertices, pieces)
@@ -85,8 +85,11 @@ function layersIn(spans: Uint32Array, names: Names): [number: number, layer: Lay
 
 /** So few members can be followed one by one: they are drawn clearly. */
 const FEW = 30
-const clear = (style: Style): Style => ({
+/** Single points are larger, too. */
+const LARGE = 8
+const clear = (style: Style, pieces: readonly Piece[]): Style => ({
   ...style,
+  point: pieces.reduce((sum, { count }) => sum + count, 0) <= FEW ? Math.max(style.point, LARGE) : style.point,
   width: Math.max(style.width, 1.5),
   opacity: [Math.max(style.opacity[0], 0.75), Math.max(style.opacity[1], 0.5)],
 })

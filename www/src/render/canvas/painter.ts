@@ -114,7 +114,15 @@ export class Painter {
     if (present) drawFields(pen, present, on)
     if (isCovered(scene)) this.drawObstacles(pen, display)
     if (present) {
-      drawLayers(pen, present.frame, inOwn(present, display), on, scene, { ...grids, ...tours })
+      const { highlighted } = display
+      const stands = (role: string): boolean => highlighted === null || highlighted.includes(role)
+      const draw = (which: (role: string) => boolean): void =>
+        drawLayers(pen, present.frame, inOwn(present, display), which, scene, { ...grids, ...tours })
+      if (highlighted) {
+        draw((role) => on(role) && !stands(role))
+        veil(pen, CLOSER)
+      }
+      draw((role) => on(role) && stands(role))
       for (const { points, look } of display.overlays) drawPath(pen, points, look)
       if (details) {
         veil(pen, CLOSER)

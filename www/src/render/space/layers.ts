@@ -48,19 +48,24 @@ export class Layers {
     for (const [role, { points }] of this.dots) points.visible = this.shown.has(role)
   }
 
-  /** `left`: how much of what isn't the outcome is left; `all`: of all. */
-  paint(palette: Palette, left: number, all: number): void {
+  /** `left`: how much of what isn't the outcome, or highlighted, is left; `all`: of all. */
+  paint(palette: Palette, left: number, all: number, highlighted: readonly string[] | null): void {
     const ground = colourOf(palette, '--stage')
     const result = resultOf([...this.shown].map((role) => ({ look: this.lookOf(role) })))
     for (const [role, strokes] of this.strokes) {
       const look = lookBeside(this.lookOf(role), result)
       // What is the outcome is not faded with the rest.
-      const kept = look.result !== undefined || role.startsWith(OVERLAY)
+      const kept = highlighted ? highlighted.includes(role) : look.result !== undefined || role.startsWith(OVERLAY)
       strokes.look(look, { colour: colourOf(palette, look.color), ground, alpha: all * (kept ? 1 : left), result: kept })
     }
     for (const [role, dots] of this.dots) {
       const look = this.lookOf(role)
-      dots.look(colourOf(palette, look.color), look.glyph, sizeOf(look), all * left * Math.max(...look.opacity))
+      dots.look(
+        colourOf(palette, look.color),
+        look.glyph,
+        sizeOf(look),
+        all * (highlighted?.includes(role) ? 1 : left) * Math.max(...look.opacity),
+      )
     }
   }
 

@@ -84,7 +84,7 @@ export class RoomPainter {
 
   /** Brings all that stands there up to what is to be seen. */
   private furnish(world: World, { palette }: CanvasPen, display: Display & InSpace, frame: Frame | null, names: Names | null): void {
-    const { scene, size, density, theme, hidden, overlays, details, faded, followed } = display
+    const { scene, size, density, theme, hidden, overlays, highlighted, details, faded, followed } = display
     const { orbit, posture, touching, thickness, ghosts, ghost, reach, selection, blamed, grip } = display
     if (scene.kind !== 'arm') return
     const { arm, workspace, cuboids } = scene
@@ -103,8 +103,8 @@ export class RoomPainter {
     }
     if (names && this.changed('layers', frame, names, overlays, hidden))
       world.layers.show(frame, names, overlays, (role) => !hidden.includes(role))
-    if (this.changed('faintness', frame, names, overlays, hidden, details, faded, followed, theme.dark))
-      world.layers.paint(palette, details ? CLOSER : followed ? MOVING : 1, faded ? STALE : 1)
+    if (this.changed('faintness', frame, names, overlays, hidden, highlighted, details, faded, followed, theme.dark))
+      world.layers.paint(palette, details || highlighted ? CLOSER : followed ? MOVING : 1, faded ? STALE : 1, highlighted)
     // Another arm, or the same elsewhere, is built again.
     const machine = JSON.stringify([arm, workspace.min[2]])
     if (this.changed('arm', machine, thickness, theme.dark)) world.showArm(scene, thickness)

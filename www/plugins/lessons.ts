@@ -1,0 +1,60 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import type { Plugin } from 'vite'
+import type { Lesson } from '../src/lessons/format.ts'
+import { readLesson } from '../src/lessons/read.ts'
+
+const ID = 'virtual:lessons'
+const RESOLVED = `\0${ID}`
+/** The order in which they are offered; others follow by name. */
+const FIRST = 'order.json'
+
+/** The lessons of a folder, in their order. */
+export function lessonsIn(folder: string): Lesson[] {
+  const order = JSON.parse(readFileSync(join(folder, FIRST), 'utf8')) as string[]
+  const files = readdirSync(folder).filter((file) => file.endsWith('.json') && !file.endsWith('.schema.json') && file !== FIRST)
+  const lessons = files.map((file) => {
+    try {
+      const lesson = readLesson(readFileSync(join(folder, file), 'utf8'))
+      if (`${lesson.name}.json` !== file) throw new Error(`its name is ${lesson.name}`)
+      return lesson
+    } catch (error) {
+      throw new Error(`${join(folder, file)}: ${error instanceof Error ? error.message : String(error)}`)
+    }
+  })
+  const place = ({ name }: Lesson): number => (order.includes(name) ? order.indexOf(name) : order.length)
+  return lessons.sort((a, b) => place(a) - place(b) || a.name.localeCompare(b.name))
+}
+
+/** Without its scripts: a list needs no more of a lesson. */
+const entryOf = ({ name, kind, minutes, paper, language, title, summary, steps, texts }: Lesson) => ({
+  name,
+  kind: kind ?? 'lesson',
+  minutes,
+  paper,
+  steps: steps.length,
+  texts: Object.fromEntries(Object.entries(texts).map(([tag, known]) => [tag, { title: known[title], summary: known[summary] }])),
+  language,
+})
+
+/**
+ * Provides `virtual:lessons`: what lessons there are, and each of them when it is asked for.
+ * @param folder where their files are
+ */
+export function lessons(folder: string): Plugin {
+  return {
+    name: 'forage-lessons',
+    resolveId: (id) => (id === ID || id.startsWith(`${ID}/`) ? `\0${id}` : undefined),
+    load(id) {
+      if (!id.startsWith(RESOLVED)) return undefined
+      const all = lessonsIn(folder)
+      for (const file of readdirSync(folder)) this.addWatchFile(join(folder, file))
+      if (id !== RESOLVED) {
+        const lesson = all.find(({ name }) => id === `${RESOLVED}/${name}`)
+        return `export default JSON.parse(${JSON.stringify(JSON.stringify(lesson))})`
+      }
+      const loaders = all.map(({ name }) => `${JSON.stringify(name)}: () => import(${JSON.stringify(`${ID}/${name}`)})`)
+      return [`export const entries = ${JSON.stringify(all.map(entryOf))}`, `export const load = { ${loaders.join(', ')} }`].join('\n')
+    },
+  }
+}

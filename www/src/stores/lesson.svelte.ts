@@ -1,0 +1,284 @@
+import { untrack } from 'svelte'
+import type { Item, LinkSetup, Point, UncheckedSetup } from 'forage-lab'
+import { SideRun } from '../engine/side-run'
+import type { Lesson, Question, Step } from '../lessons/format'
+import { checkNames } from '../lessons/names'
+import {
+  type ArrowScore,
+  type CellScore,
+  type MemberScore,
+  nearestTo,
+  type NodeScore,
+  scoreArrow,
+  scoreCell,
+  scoreMember,
+  scoreNode,
+} from '../lessons/score'
+import { perLab } from './context.svelte'
+import type { Lab } from './lab.svelte'
+import { type Guess, progress } from './lesson-progress.svelte'
+import { changed, type Truth, truthOf } from './lesson-truth'
+import { stillness } from './theme.svelte'
+
+/** A run moves to its place in so many milliseconds: at least, for each iteration, and at most. */
+const [SHORT, EACH, LONG] = [400, 12, 2500]
+
+/** A place in a run. */
+interface Moment {
+  at: number
+  item: Item | null
+}
+
+/** How an answer compares with what came out. */
+export type Score = ArrowScore | CellScore | NodeScore | MemberScore | { grade: 'right' | 'off' }
+
+/** An eighth of a turn, counterclockwise from the right: the order of an explanation's directions. */
+export const directionOf = ([x, y]: Point, [cx, cy]: Point): number => (Math.round((Math.atan2(y - cy, x - cx) * 4) / Math.PI) + 8) % 8
+
+function scoreOf(truth: Truth, guess: Guess): Score | null {
+  if ('option' in guess) return 'option' in truth ? { grade: guess.option === truth.option ? 'right' : 'off' } : null
+  const { point } = guess
+  switch (truth.kind) {
+    case 'arrow':
+      return scoreArrow(truth.from, point, truth.to)
+    case 'cell':
+      return scoreCell(truth.probabilities, directionOf(point, truth.centre))
+    case 'node':
+      return scoreNode(truth.sample, point, truth.at, Math.hypot(point[0] - truth.at[0], point[1] - truth.at[1]) < 1e-6)
+    case 'member':
+      return scoreMember(truth.values, nearestTo(truth.places, point))
+    default:
+      return null
+  }
+}
+
+/** A lesson that is read beside a run: its steps put the run where they want it, and the reader may go elsewhere at any time. */
+export class LessonStore {
+  lesson = $state.raw<Lesson | null>(null)
+  index = $state(0)
+  /** The answer that is being given. */
+  guess = $state.raw<Guess | null>(null)
+  /** What came out, by the names of steps, and why there is none. */
+  private truths = $state.raw<Readonly<Record<string, Truth>>>({})
+  private failures = $state.raw<Readonly<Record<string, string>>>({})
+  private answers = $state.raw<Readonly<Record<string, Guess>>>({})
+  /** What runs at each step. */
+  private setups: UncheckedSetup[] = []
+  private side: SideRun | null = null
+  /** What the newest step wants of the run. */
+  private own = $state.raw<UncheckedSetup | null>(null)
+  private wanted = $state(0)
+  /** The run is on its way to where the step wants it. */
+  private travelling = $state(false)
+  private request = 0
+  private shown: UncheckedSetup | null = null
+
+  readonly step = $derived.by<Step | null>(() => this.lesson?.steps[this.index] ?? null)
+  readonly steps = $derived(this.lesson?.steps ?? [])
+  /** Something of the run is the reader's own. */
+  readonly forked = $derived.by(() => this.own !== null && this.lab.setup.differsFrom(this.own))
+  /** The run is elsewhere than the step wants it. */
+  readonly away = $derived.by(
+    () => this.forked || (this.own !== null && !this.travelling && (this.lab.playback.playing || this.place !== this.wanted)),
+  )
+  /** The step's prediction, while it waits for an answer. */
+  readonly asked = $derived.by<{ question: Question; truth: Truth } | null>(() => {
+    const { step } = this
+    const truth = step && this.truths[step.name]
+    return step?.question && truth && !this.answers[step.name] ? { question: step.question, truth } : null
+  })
+
+  constructor(private readonly lab: Lab) {}
+
+  private get place(): number {
+    return this.lab.playback.target ?? this.lab.playback.iteration
+  }
+
+  /** Begins a lesson at a step, or where it was left. Throws `LessonError` for names that there are not. */
+  open(lesson: Lesson, step?: string): void {
+    const { catalogue } = this.lab.setup
+    if (!catalogue) return
+    checkNames(lesson, catalogue)
+    this.close()
+    this.lesson = lesson
+    let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
+    this.setups = lesson.steps.map(({ run }) => {
+      const next = run ? changed(setup, run) : setup
+      if (JSON.stringify(next) !== JSON.stringify(setup)) setup = next
+      return setup
+    })
+    const standing = progress.of(lesson.name)
+    this.answers = standing.answers
+    const named = step === undefined ? standing.step : lesson.steps.findIndex(({ name }) => name === step)
+    this.go(Math.min(Math.max(named, 0), lesson.steps.length - 1))
+  }
+
+  close(): void {
+    cancelAnimationFrame(this.request)
+    this.side?.close()
+    this.side = null
+    this.lesson = this.own = this.shown = this.guess = null
+    this.travelling = false
+    this.truths = {}
+    this.failures = {}
+    this.lab.layers.highlighted = null
+    this.lab.layers.chosen = {}
+  }
+
+  /** To a step; what the reader has made of the run is left, and can be come back to by undoing. */
+  go = (index: number): void => {
+    const { lesson } = this
+    if (!lesson?.steps[index]) return
+    this.guess = null
+    this.index = index
+    progress.note(lesson.name, { step: index, farthest: Math.max(index, progress.of(lesson.name).farthest) })
+    this.show()
+    void this.find(index)
+  }
+
+  /** The step that is read; its run is only shown where the reader has not made another one. */
+  read = (index: number): void => {
+    if (index === this.index || !this.lesson) return
+    if (untrack(() => this.forked)) this.index = index
+    else this.go(index)
+  }
+
+  /** The run as the step wants it. */
+  show = (): void => {
+    const { step, lab } = this
+    const setup = this.setups[this.index]
+    if (!step || !setup) return
+    const { at, item } = this.momentOf(step)
+    const same = this.shown === setup && !this.forked
+    const begins = step.from ?? step.at
+    if (!same) {
+      const { scene } = setup
+      const whole = typeof scene === 'string' ? lab.setup.catalogue?.scenes.find(({ name }) => name === scene) : scene
+      lab.openMoment({ ...setup, scene: whole, iteration: begins } as LinkSetup)
+    }
+    this.shown = setup
+    this.own = lab.scene.present && lab.setup.wanted(lab.scene.present)
+    lab.layers.chosen = step.layers ?? {}
+    lab.layers.highlighted = step.highlight ?? null
+    lab.selection.inspect(null)
+    const from = same ? (step.from !== undefined && this.place < step.from ? step.from : this.place) : begins
+    this.travel(from, at, () => lab.selection.inspect(item))
+  }
+
+  /** Where a step wants the run: once its question is answered, where the answer is seen. */
+  private momentOf({ name, at, item, question }: Step): Moment {
+    const own: Moment = { at, item: (item ?? null) as Item | null }
+    if (!question || !this.answers[name]) return own
+    switch (question.kind) {
+      case 'arrow':
+      case 'node':
+        return { at: at + 1, item: question.item as Item }
+      case 'member':
+        return { at: at + 1, item: this.memberOf(name, question.role) }
+      case 'cell':
+        return { at, item: question.item as Item }
+      case 'item':
+        return { at: question.at ?? at + 1, item: question.item as Item }
+      case 'run':
+        return { ...own, at: question.at ?? at }
+      case 'compare':
+        return own
+    }
+  }
+
+  /** The member that is the answer, once that is known. */
+  private memberOf(step: string, role: string): Item | null {
+    const truth = this.truths[step]
+    return truth?.kind === 'member' ? ({ role, index: truth.index } as Item) : null
+  }
+
+  /** The run goes there in sight; at once where motion is unwelcome. The reader's own steps end it. */
+  private travel(from: number, to: number, arrive: () => void): void {
+    const { playback } = this.lab
+    cancelAnimationFrame(this.request)
+    this.wanted = to
+    const distance = Math.abs(to - from)
+    if (stillness.matches || distance <= 1) {
+      this.travelling = false
+      playback.seek(to)
+      arrive()
+      return
+    }
+    this.travelling = true
+    const length = Math.min(SHORT + EACH * distance, LONG)
+    let begun: number | null = null
+    let last = from
+    playback.seek(from)
+    const tick = (now: number): void => {
+      if (playback.requested.at !== last || playback.playing) {
+        this.travelling = false
+        return
+      }
+      // Its time begins with its picture.
+      if (!playback.stale) begun ??= now
+      const share = begun === null ? 0 : Math.min(1, (now - begun) / length)
+      const next = Math.round(from + (to - from) * share)
+      if (next !== last) playback.seek(next)
+      last = playback.requested.at
+      if (share < 1) {
+        this.request = requestAnimationFrame(tick)
+        return
+      }
+      this.travelling = false
+      arrive()
+    }
+    last = playback.requested.at
+    this.request = requestAnimationFrame(tick)
+  }
+
+  /** Computes what a step asks for. */
+  private async find(index: number): Promise<void> {
+    const { lesson } = this
+    const step = lesson?.steps[index]
+    const setup = this.setups[index]
+    if (!step?.question || !setup || this.truths[step.name]) return
+    this.side ??= new SideRun()
+    const { side } = this
+    try {
+      const truth = await truthOf(step.question, setup, step.at, side)
+      if (side === this.side) this.truths = { ...this.truths, [step.name]: truth }
+    } catch (error) {
+      if (side !== this.side) return
+      this.failures = { ...this.failures, [step.name]: error instanceof Error ? error.message : String(error) }
+    }
+  }
+
+  truthOf = (step: Step): Truth | null => this.truths[step.name] ?? null
+
+  failureOf = (step: Step): string => this.failures[step.name] ?? ''
+
+  answerTo = (step: Step): Guess | null => this.answers[step.name] ?? null
+
+  scoreOf(step: Step): Score | null {
+    const [truth, guess] = [this.truthOf(step), this.answerTo(step)]
+    return truth && guess && scoreOf(truth, guess)
+  }
+
+  /** Takes the answer that is being given, and shows what comes out. */
+  answer = (): void => {
+    const { guess, lesson, step } = this
+    if (!guess || !lesson || !step) return
+    this.answers = { ...this.answers, [step.name]: guess }
+    progress.note(lesson.name, { answers: this.answers })
+    this.guess = null
+    this.show()
+  }
+
+  /** The question once more. */
+  retry = (): void => {
+    const { lesson, step } = this
+    if (!lesson || !step) return
+    const { [step.name]: _, ...others } = this.answers
+    this.answers = others
+    progress.note(lesson.name, { answers: others })
+    this.show()
+  }
+}
+
+/** The lesson that is read beside a lab's run. */
+export const lessonOf = perLab((lab) => new LessonStore(lab))

@@ -1,0 +1,195 @@
+import { fileURLToPath } from 'node:url'
+import type { Page } from '@playwright/test'
+import type { Point, Scene, UncheckedSetup } from '../../pkg/node.js'
+import { lessonsIn } from '../plugins/lessons'
+import type { Lesson, Question } from '../src/lessons/format'
+import { lesson as text } from '../src/locales/en/lesson'
+import { extent, fit as fitted, isDown, margins, toScreen } from '../src/render/view'
+import { changed, type Truth, truthOf } from '../src/stores/lesson-truth'
+import { CoreOracle } from '../unit/core/oracle'
+import { violations } from './support/axe'
+import { hashOf, sceneOf } from './support/core'
+import { expect, type Lab, test } from './support/lab'
+
+const lessons = lessonsIn(fileURLToPath(new URL('../../lessons', import.meta.url)))
+
+/** Opens a lesson, and waits until its run is there. */
+async function open(lab: Lab, page: Page, name: string): Promise<void> {
+  await lab.open(`#lesson=${name}`)
+  await expect(page.getByTestId('lesson')).toHaveAttribute('data-lesson', name)
+}
+
+const wholeOf = (setup: UncheckedSetup): Scene => sceneOf(setup)
+
+/** Where a place of a scene is on the bare stage. */
+async function onStage(page: Page, scene: Scene, at: Point): Promise<Point> {
+  const box = await page.getByTestId('predict').boundingBox()
+  if (!box) throw new Error('nothing is asked on the stage')
+  const view = fitted(extent(scene), box, margins(box.width, true), isDown(scene))
+  const [x, y] = toScreen(view, box, at)
+  return [box.x + x, box.y + y]
+}
+
+/** Answers that are as it was, and otherwise: options, or places. */
+function answersTo(truth: Truth, setup: UncheckedSetup): [right: Point | number, wrong: Point | number] {
+  switch (truth.kind) {
+    case 'arrow': {
+      const [x, y] = truth.from
+      const [dx, dy] = [truth.to[0] - x, truth.to[1] - y]
+      return [truth.to, [x - dx, y - dy]]
+    }
+    case 'cell': {
+      const { centre, probabilities } = truth
+      const { cell } = wholeOf(setup) as Extract<Scene, { kind: 'grid' }>
+      const neighbour = (direction: number): Point => {
+        const turn = (direction * Math.PI) / 4
+        return [centre[0] + Math.round(Math.cos(turn)) * cell, centre[1] + Math.round(Math.sin(turn)) * cell]
+      }
+      return [neighbour(probabilities.indexOf(Math.max(...probabilities))), neighbour(probabilities.indexOf(Math.min(...probabilities)))]
+    }
+    case 'node': {
+      // The root of the tree; where that is nearest, nothing is farther.
+      const { start } = wholeOf(setup) as { start?: Point }
+      return [truth.at, start ?? [0, 0]]
+    }
+    case 'member':
+      return [truth.places[truth.index] ?? [0, 0], truth.places[truth.values.indexOf(Math.max(...truth.values))] ?? [0, 0]]
+    default:
+      return [truth.option, truth.option === 0 ? 1 : 0]
+  }
+}
+
+async function give(page: Page, answer: Point | number, setup: UncheckedSetup): Promise<void> {
+  if (typeof answer === 'number') {
+    await here(page).getByRole('radio').nth(answer).check()
+  } else {
+    await page.mouse.click(...(await onStage(page, wholeOf(setup), answer)))
+  }
+  await here(page).getByTestId('predict-answer').click()
+}
+
+/** The step that is read. */
+const here = (page: Page) => page.locator('li[aria-current="step"]')
+
+/** As it comes back from JSON. */
+const plain = (value: unknown): unknown => JSON.parse(JSON.stringify(value))
+
+async function predicts(page: Page, question: Question, setup: UncheckedSetup, at: number, oracle: CoreOracle): Promise<void> {
+  const truth = await truthOf(question, setup, at, oracle)
+  const [right, wrong] = answersTo(truth, setup)
+  const prediction = here(page).getByTestId('prediction')
+  for (const [answer, grades] of [
+    [right, /right/],
+    [wrong, /off|near/],
+  ] as const) {
+    if (typeof answer !== 'number') await expect(page.getByTestId('predict')).toHaveClass(/active/)
+    await give(page, answer, setup)
+    await expect(prediction).toHaveAttribute('data-grade', grades, { timeout: 30_000 })
+    const shown = JSON.parse((await prediction.getAttribute('data-truth')) ?? 'null')
+    expect(shown).toEqual(plain({ ...truth, inspection: undefined }))
+    await prediction.getByTestId('predict-again').click()
+  }
+}
+
+for (const lesson of lessons.filter(({ kind }) => kind !== 'article')) {
+  test(`${lesson.name} is played to its end, with right and with other answers`, async ({ lab, page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await open(lab, page, lesson.name)
+    const oracle = new CoreOracle()
+    let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
+    for (const [at, step] of lesson.steps.entries()) {
+      if (step.run) setup = changed(setup, step.run)
+      await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', step.name)
+      expect(await lab.settled(step.at), step.name).toBe(hashOf(setup, step.at))
+      await expect(page.getByTestId('lesson-away')).toHaveCount(0)
+      if (step.question) await predicts(page, step.question, setup, step.at, oracle)
+      if (at < lesson.steps.length - 1) await page.getByTestId('lesson-next').click()
+    }
+    await expect(page.getByTestId('lesson-next')).toBeDisabled()
+  })
+}
+
+const FIRST = lessons[0] as Lesson
+
+test('a lesson is left for a run of one’s own, and come back to', { tag: '@smoke' }, async ({ lab, page }) => {
+  await open(lab, page, FIRST.name)
+  await page.getByTestId('lesson-next').click()
+  const [, step] = FIRST.steps
+  const hash = await lab.settled(step?.at)
+  await lab.seek(30)
+  await expect(page.getByTestId('lesson-away')).toContainText(text.away.moved)
+  await page.getByTestId('lesson-return').click()
+  expect(await lab.settled(step?.at)).toBe(hash)
+  // In the Lab it is another run; the lesson waits.
+  await page.getByTestId('view-lab').click()
+  await page.getByTestId('seed').fill('7')
+  await page.getByTestId('seed').press('Enter')
+  await page.getByTestId('view-learn').click()
+  await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', step?.name ?? '')
+  await expect(page.getByTestId('lesson-away')).toContainText(text.away.forked)
+  await page.getByTestId('lesson-return').click()
+  expect(await lab.settled(step?.at)).toBe(hash)
+  await expect(page.getByTestId('lesson-away')).toHaveCount(0)
+})
+
+test('scrolling moves the run', async ({ lab, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await open(lab, page, FIRST.name)
+  const [, , third] = FIRST.steps
+  await page
+    .locator(`[data-step="${third?.name}"]`)
+    .last()
+    .evaluate((article) => article.scrollIntoView({ block: 'center' }))
+  await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', third?.name ?? '')
+  await lab.settled(third?.at)
+})
+
+test('progress is kept in this browser, and can be deleted', async ({ lab, page }) => {
+  await open(lab, page, FIRST.name)
+  for (let step = 1; step < 3; step += 1) await page.getByTestId('lesson-next').click()
+  await expect(page).toHaveURL(new RegExp(`#view=learn&lesson=${FIRST.name}&step=${FIRST.steps[2]?.name}$`))
+  await page.getByTestId('lesson-close').click()
+  const entry = page.getByTestId(`open-lesson-${FIRST.name}`)
+  await expect(entry).toContainText(text.readTo(3, FIRST.steps.length))
+  await page.reload()
+  await expect(entry).toContainText(text.readTo(3, FIRST.steps.length))
+  await entry.click()
+  await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', FIRST.steps[2]?.name ?? '')
+  await page.goBack()
+  await page.getByTestId('forget-progress').click()
+  await expect(entry).not.toContainText(text.readTo(3, FIRST.steps.length))
+  expect(await page.evaluate(() => localStorage.getItem('forage.lessons'))).toBeNull()
+})
+
+test('an arrow is drawn with the keys alone', async ({ lab, page }) => {
+  const at = FIRST.steps.findIndex(({ question }) => question?.kind === 'arrow')
+  await lab.open(`#view=learn&lesson=${FIRST.name}&step=${FIRST.steps[at]?.name}`)
+  await lab.settled(FIRST.steps[at]?.at)
+  const layer = page.getByTestId('predict')
+  await expect(layer).toHaveClass(/active/)
+  await layer.focus()
+  for (let step = 0; step < 5; step += 1) await page.keyboard.press('ArrowUp')
+  await page.keyboard.press('Enter')
+  await expect(here(page).getByTestId('feedback')).toBeVisible()
+})
+
+test('a lesson is accessible, at every width', async ({ lab, page }) => {
+  const at = FIRST.steps.findIndex(({ question }) => question?.kind === 'arrow')
+  await lab.open(`#view=learn&lesson=${FIRST.name}&step=${FIRST.steps[at]?.name}`)
+  await expect(page.getByTestId('predict')).toHaveClass(/active/)
+  for (const [width, height] of [
+    [1440, 900],
+    [390, 844],
+    [320, 640],
+  ] as const) {
+    await page.setViewportSize({ width, height })
+    expect(await violations(lab)).toEqual([])
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width)
+  }
+})
+
+test('a lesson that there is not is said, and the page is there', async ({ lab, page }) => {
+  await lab.open('#lesson=nothing')
+  await expect(page.getByRole('alert')).toContainText(text.unknown('nothing'))
+  await expect(page.getByTestId('learn-open')).toBeVisible()
+})
