@@ -5,6 +5,7 @@ import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig, type Plugin } from 'vite'
 import { formulas } from './plugins/formulas.ts'
 import { inlined, unaddressed } from './plugins/inlined.ts'
+import { lessons } from './plugins/lessons.ts'
 import { palette } from './plugins/palette.ts'
 
 /* The element (`--mode element`) and the page in one file (`--mode file`): one script each, with all that it needs. */
@@ -111,6 +112,7 @@ export default defineConfig(({ mode }) => ({
     unaddressed(core),
     svelte(),
     formulas(core, at('../lessons')),
+    lessons(at('../lessons')),
     palette(at('../src/describe/palette.json')),
     inlined(core, files, threads, { ...shared, plugins: [unaddressed(core)] }),
     mode === 'element' ? withStyles() : withPage(),

@@ -42,25 +42,24 @@ async function scriptOf(entry: string, config: InlineConfig): Promise<string> {
 }
 
 /**
- * Provides `virtual:inlined`: the scripts of threads as text, and the core's files by name, each compressed by gzip and in base64.
+ * Provides `virtual:inlined`: the scripts of threads, and the core's files by name, each compressed by gzip and in base64.
  * @param core the folder that the wasm package was built into
  * @param files its files that are needed
  * @param threads where each thread's script is
  * @param config how those are built
  */
 export function inlined(core: string, files: readonly string[], threads: Readonly<Record<string, string>>, config: InlineConfig): Plugin {
-  const packed = async (file: string): Promise<[string, string]> => [
-    file,
-    (await pack(await readFile(resolve(core, file)), { level: 9 })).toString('base64'),
-  ]
+  const packed = async (bytes: Buffer | string): Promise<string> => (await pack(bytes, { level: 9 })).toString('base64')
   return {
     name: 'forage-inlined',
     resolveId: (id) => (id === ID ? RESOLVED : undefined),
     async load(id) {
       if (id !== RESOLVED) return undefined
       const scripts: [string, string][] = []
-      for (const [name, entry] of Object.entries(threads)) scripts.push([name, await scriptOf(entry, config)])
-      const all = Object.fromEntries(await Promise.all(files.map(packed)))
+      for (const [name, entry] of Object.entries(threads)) scripts.push([name, await packed(await scriptOf(entry, config))])
+      const all = Object.fromEntries(
+        await Promise.all(files.map(async (file) => [file, await packed(await readFile(resolve(core, file)))] as const)),
+      )
       return `export const threads = ${JSON.stringify(Object.fromEntries(scripts))}\nexport const files = ${JSON.stringify(all)}`
     },
   }

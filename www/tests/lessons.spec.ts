@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url'
 import type { Page } from '@playwright/test'
 import type { Point, Scene, UncheckedSetup } from '../../pkg/node.js'
 import { lessonsIn } from '../plugins/lessons'
-import type { Lesson, Question } from '../src/lessons/format'
+import type { Lesson, Step } from '../src/lessons/format'
 import { lesson as text } from '../src/locales/en/lesson'
 import { extent, fit as fitted, isDown, margins, toScreen } from '../src/render/view'
 import { changed, type Truth, truthOf } from '../src/stores/lesson-truth'
@@ -22,10 +22,11 @@ async function open(lab: Lab, page: Page, name: string): Promise<void> {
 const wholeOf = (setup: UncheckedSetup): Scene => sceneOf(setup)
 
 /** Where a place of a scene is on the bare stage. */
-async function onStage(page: Page, scene: Scene, at: Point): Promise<Point> {
+async function onStage(page: Page, scene: Scene, at: Point, camera: Step['camera']): Promise<Point> {
   const box = await page.getByTestId('predict').boundingBox()
   if (!box) throw new Error('nothing is asked on the stage')
-  const view = fitted(extent(scene), box, margins(box.width, true), isDown(scene))
+  const whole = fitted(extent(scene), box, margins(box.width, true), isDown(scene))
+  const view = camera ? { ...whole, x: camera.center[0], y: camera.center[1], scale: whole.scale * camera.zoom } : whole
   const [x, y] = toScreen(view, box, at)
   return [box.x + x, box.y + y]
 }
@@ -59,11 +60,11 @@ function answersTo(truth: Truth, setup: UncheckedSetup): [right: Point | number,
   }
 }
 
-async function give(page: Page, answer: Point | number, setup: UncheckedSetup): Promise<void> {
+async function give(page: Page, answer: Point | number, setup: UncheckedSetup, { camera }: Step): Promise<void> {
   if (typeof answer === 'number') {
     await here(page).getByRole('radio').nth(answer).check()
   } else {
-    await page.mouse.click(...(await onStage(page, wholeOf(setup), answer)))
+    await page.mouse.click(...(await onStage(page, wholeOf(setup), answer, camera)))
   }
   await here(page).getByTestId('predict-answer').click()
 }
@@ -74,8 +75,9 @@ const here = (page: Page) => page.locator('li[aria-current="step"]')
 /** As it comes back from JSON. */
 const plain = (value: unknown): unknown => JSON.parse(JSON.stringify(value))
 
-async function predicts(page: Page, question: Question, setup: UncheckedSetup, at: number, oracle: CoreOracle): Promise<void> {
-  const truth = await truthOf(question, setup, at, oracle)
+async function predicts(page: Page, step: Step, setup: UncheckedSetup, oracle: CoreOracle): Promise<void> {
+  if (!step.question) return
+  const truth = await truthOf(step.question, setup, step.at, oracle)
   const [right, wrong] = answersTo(truth, setup)
   const prediction = here(page).getByTestId('prediction')
   for (const [answer, grades] of [
@@ -83,7 +85,7 @@ async function predicts(page: Page, question: Question, setup: UncheckedSetup, a
     [wrong, /off|near/],
   ] as const) {
     if (typeof answer !== 'number') await expect(page.getByTestId('predict')).toHaveClass(/active/)
-    await give(page, answer, setup)
+    await give(page, answer, setup, step)
     await expect(prediction).toHaveAttribute('data-grade', grades, { timeout: 30_000 })
     const shown = JSON.parse((await prediction.getAttribute('data-truth')) ?? 'null')
     expect(shown).toEqual(plain({ ...truth, inspection: undefined }))
@@ -102,7 +104,7 @@ for (const lesson of lessons.filter(({ kind }) => kind !== 'article')) {
       await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', step.name)
       expect(await lab.settled(step.at), step.name).toBe(hashOf(setup, step.at))
       await expect(page.getByTestId('lesson-away')).toHaveCount(0)
-      if (step.question) await predicts(page, step.question, setup, step.at, oracle)
+      await predicts(page, step, setup, oracle)
       if (at < lesson.steps.length - 1) await page.getByTestId('lesson-next').click()
     }
     await expect(page.getByTestId('lesson-next')).toBeDisabled()

@@ -117,6 +117,13 @@ const Step = v.strictObject({
   item: optional(Item, 'What is explained on the stage.'),
   layers: optional(v.record(short, v.boolean()), 'Layers that are shown or hidden, by their keys.'),
   highlight: optional(v.pipe(v.array(short), v.minLength(1)), 'Layers that stand out: all others are faint.'),
+  camera: optional(
+    v.strictObject({
+      center: described(v.tuple([v.number(), v.number()]), 'The middle of what is seen, in the scene’s unit.'),
+      zoom: described(v.pipe(v.number(), v.minValue(0.2), v.maxValue(400)), 'How many times larger it is than with the whole scene in view.'),
+    }),
+    'What the stage shows of a scene in the plane; else all of it.',
+  ),
   panels: optional(v.array(v.picklist(['chart', 'result', 'parameters'])), 'What is shown below the stage.'),
   question: optional(Question, 'What is asked before it is shown.'),
 })

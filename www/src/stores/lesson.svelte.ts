@@ -14,10 +14,12 @@ import {
   scoreMember,
   scoreNode,
 } from '../lessons/score'
+import { extent } from '../render/view'
 import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
 import { type Guess, progress } from './lesson-progress.svelte'
 import { changed, type Truth, truthOf } from './lesson-truth'
+import type { PlaneCamera } from './page-keys'
 import { stillness } from './theme.svelte'
 
 /** A run moves to its place in so many milliseconds: at least, for each iteration, and at most. */
@@ -158,11 +160,21 @@ export class LessonStore {
     }
     this.shown = setup
     this.own = lab.scene.present && lab.setup.wanted(lab.scene.present)
+    this.look(step)
     lab.layers.chosen = step.layers ?? {}
     lab.layers.highlighted = step.highlight ?? null
     lab.selection.inspect(null)
     const from = same ? (step.from !== undefined && this.place < step.from ? step.from : this.place) : begins
     this.travel(from, at, () => lab.selection.inspect(item))
+  }
+
+  /** What the stage shows of the plane: where it was looked at closer before, all of it again. */
+  private look({ camera }: Step): void {
+    const { picture, scene } = this.lab
+    if (!scene.present || scene.present.kind === 'arm') return
+    const { min, max } = extent(scene.present)
+    const whole: PlaneCamera = { center: [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2], zoom: 1 }
+    if (camera || picture.camera) picture.wantedCamera = camera ?? whole
   }
 
   /** Where a step wants the run: once its question is answered, where the answer is seen. */

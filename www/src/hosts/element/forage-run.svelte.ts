@@ -8,6 +8,7 @@ import { obey, stateOf, tell } from '../../rooms/embed/remote.svelte'
 import { attributesOf } from '../../stores/attributes'
 import { Lab } from '../../stores/lab.svelte'
 import { stillness, Theme } from '../../stores/theme.svelte'
+import { lessonIn, type Place } from '../../rooms/learn/address'
 import { linkOf, SETUP } from './link'
 import Run from './Run.svelte'
 
@@ -35,14 +36,14 @@ interface Shown {
 /**
  * `<forage-run>`: a run on a page. It begins when it comes into view, and pauses while it is out of sight.
  *
- * Attributes: `src` (a link of a run), or `planner`, `scene`, `seed`, `params` (`w=0.7; c1=2`) and `at`; `layers` (`best,-particles`);
+ * Attributes: `src` (a link of a run, or `#lesson=` and a lesson’s name), or `planner`, `scene`, `seed`, `params` (`w=0.7; c1=2`) and `at`; `layers` (`best,-particles`);
  * `controls` (`none`, `play`, `full`), `theme` (`light`, `dark`, `system`), `autoplay`.
  */
 export class ForageRun extends HTMLElement {
   static readonly observedAttributes = [...SETUP, 'controls', 'theme']
 
   private shown: Shown | undefined
-  private readonly look = $state<{ controls: Controls }>({ controls: 'play' })
+  private readonly look = $state<{ controls: Controls; lesson: Place | null }>({ controls: 'play', lesson: null })
   private readonly theme = new Theme()
   private visible = false
   /** It goes on when it comes into view. */
@@ -134,11 +135,17 @@ export class ForageRun extends HTMLElement {
 
   private async openAgain(): Promise<void> {
     try {
+      this.look.lesson = this.lesson
+      if (this.look.lesson) return
       await this.shown?.lab.openLink(await this.link())
       this.playAlone()
     } catch (error) {
       this.fail(error)
     }
+  }
+
+  private get lesson(): Place | null {
+    return lessonIn(this.getAttribute('src')?.trim() ?? '')
   }
 
   /** The link that the attributes ask for. */
@@ -180,7 +187,8 @@ export class ForageRun extends HTMLElement {
 
   private async start(lab: Lab, address: { first: string | null }): Promise<void> {
     try {
-      address.first = await this.link()
+      this.look.lesson = this.lesson
+      if (!this.look.lesson) address.first = await this.link()
       // It may have been taken away meanwhile.
       if (this.shown?.lab !== lab) return
       await lab.open()

@@ -1,4 +1,5 @@
 import type { Catalogue } from 'forage-lab'
+import { gunzipSync } from 'fflate'
 import { files as packed, threads } from 'virtual:inlined'
 import type { Files, Host } from '../../engine/host'
 import { scriptAddress } from '../../ui/trusted'
@@ -6,9 +7,11 @@ import { scriptAddress } from '../../ui/trusted'
 const CORE = 'forage_bg.wasm'
 const CATALOGUE = 'catalogue.json'
 
+const bytesOf = (base64: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))
+
 async function unpacked(name: string): Promise<ArrayBuffer> {
-  const bytes = Uint8Array.from(atob(packed[name] ?? ''), (letter) => letter.charCodeAt(0))
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer()
+  const stream = new Blob([bytesOf(packed[name] ?? '')]).stream()
+  return new Response(stream.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer()
 }
 
 /** What is made when it is first asked for. */
@@ -29,7 +32,8 @@ const catalogue = once(async (): Promise<Catalogue> => JSON.parse(new TextDecode
 const addresses = Object.fromEntries(
   Object.entries(threads).map(([kind, script]) => [
     kind,
-    once(() => scriptAddress(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })))),
+    // Browsers decompress streams only, and a thread is started at once.
+    once(() => scriptAddress(URL.createObjectURL(new Blob([gunzipSync(bytesOf(script))], { type: 'text/javascript' })))),
   ]),
 )
 

@@ -1,0 +1,12 @@
+/** A lesson, and a step of it. */
+export interface Place {
+  name: string
+  step?: string | undefined
+}
+
+/** The lesson in an address or its keys: `#lesson=pso`, `&lesson=pso&step=bowl`; null: there is none. */
+export function lessonIn(address: string): Place | null {
+  const read = (key: string): string | undefined => new RegExp(`[#&]${key}=([^&]*)`).exec(address)?.[1]
+  const name = read('lesson')
+  return name ? { name, step: read('step') } : null
+}
