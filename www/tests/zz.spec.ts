@@ -2,7 +2,9 @@ import { test } from './support/lab'
 import { pathToFileURL } from 'node:url'
 test('x', async ({ page, browser }) => {
   const errors: string[] = []
-  page.on('console', (m) => { if (m.type() === 'error') errors.push(m.text()) })
+  page.on('console', (m) => {
+    if (m.type() === 'error') errors.push(m.text())
+  })
   page.on('pageerror', (e) => errors.push(String(e)))
   await page.setViewportSize({ width: 390, height: 844 })
   await page.goto('./#view=learn&lesson=pso&step=arrow')
@@ -19,7 +21,9 @@ test('x', async ({ page, browser }) => {
   await page.waitForTimeout(2500)
   await page.screenshot({ path: '/tmp/m3.png' })
   const other = await (await browser.newContext({ colorScheme: 'dark', viewport: { width: 1280, height: 800 } })).newPage()
-  other.on('console', (m) => { if (m.type() === 'error') errors.push(m.text()) })
+  other.on('console', (m) => {
+    if (m.type() === 'error') errors.push(m.text())
+  })
   other.on('pageerror', (e) => errors.push(String(e)))
   await other.goto(pathToFileURL('dist/single-file.html').href + '#lesson=pso&step=many')
   await other.waitForTimeout(4000)

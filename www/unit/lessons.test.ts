@@ -5,6 +5,8 @@ import Ajv2020 from 'ajv/dist/2020.js'
 import { describe, expect, it } from 'vitest'
 import { lessonsIn } from '../plugins/lessons'
 import { Lesson, Task } from '../src/lessons/format'
+import { draftOf, lessonOfDraft, nameFor } from '../src/lessons/draft'
+import { packed, unpacked } from '../src/lessons/link'
 import { checkLesson, LessonError, readLesson } from '../src/lessons/read'
 import { median, optionAt, scoreArrow, scoreCell, scoreMember, scoreNode } from '../src/lessons/score'
 import { hrefOf, tokensOf } from '../src/ui/markdown'
@@ -148,6 +150,36 @@ describe('a prediction', () => {
       Number.POSITIVE_INFINITY,
       Number.NaN,
     ])
+  })
+})
+
+describe('a draft', () => {
+  it.each(lessonsIn(folder).map((lesson) => [lesson.name, lesson] as const))('of %s makes the same lesson again', (_, lesson) => {
+    const written = draftOf(lesson)
+    const again = lessonOfDraft(written)
+    expect(draftOf(again)).toEqual(written)
+    expect(checkLesson(again)).toEqual(again)
+  })
+
+  it('keeps each step’s run where steps change places', () => {
+    const draft = draftOf(readLesson(readFileSync(`${folder}/pso.json`, 'utf8')))
+    const [first, second, ...others] = draft.steps
+    if (!first || !second) throw new Error('too few steps')
+    const turned = checkLesson(lessonOfDraft({ ...draft, steps: [second, { ...first, run: { ...first.run, seed: 9 } }, ...others] }))
+    expect(turned.steps.slice(0, 3).map(({ run }) => run)).toEqual([second.run, { seed: 9 }, { seed: second.run.seed }])
+  })
+
+  it('names its steps by what they are called, each once', () => {
+    expect([nameFor('A swarm!'), nameFor('Ω', []), nameFor('A swarm', ['a-swarm', 'a-swarm-2'])]).toEqual(['a-swarm', 'step', 'a-swarm-3'])
+  })
+
+  it('fits in a link and comes out of it', async () => {
+    const text = readFileSync(`${folder}/pso.json`, 'utf8')
+    const name = await packed(text)
+    expect(name).toMatch(/^~[\w-]+$/)
+    expect(name.length).toBeLessThan(8000)
+    expect(await unpacked(name)).toBe(text)
+    await expect(unpacked(name.slice(0, 100))).rejects.toThrow()
   })
 })
 

@@ -37,6 +37,8 @@ const asked = {
   answer: optional(key, 'What is said when it is answered, beside the numbers.'),
 }
 
+const shows = optional(iteration, 'The iteration that is shown once it is answered, where the answer is about several runs.')
+
 const between = {
   from: optional(v.number(), 'It is this option from this value on.'),
   to: optional(v.number(), 'It is this option below this value.'),
@@ -87,9 +89,13 @@ const OfItem = v.strictObject({
 const OfRun = v.strictObject({
   kind: v.literal('run'),
   ...asked,
-  of: described(short, 'A reading of the planner, or `cost`, `length`, `gap`, `evaluations`.'),
+  of: described(
+    short,
+    'A reading of the planner, or `cost`, `length`, `gap`, `evaluations`; of several seeds one of these, `settled` or `reached`.',
+  ),
   at: optional(iteration, 'The iteration that answers it.'),
   seeds: optional(whole(2, MOST_SEEDS), 'Instead of that: the median at the end of so many runs, with the seeds 1, 2, 3, …'),
+  shows,
   options: optionsOf(v.strictObject({ text: key, ...between })),
 })
 
@@ -102,6 +108,7 @@ const Compare = v.strictObject({
   ),
   evaluations: optional(whole(1, 1_000_000), 'With so many evaluations each; else to their ends.'),
   seeds: described(whole(2, MOST_SEEDS), 'Of so many runs each, with the seeds 1, 2, 3, …'),
+  shows,
   options: optionsOf(v.strictObject({ text: key, run: described(RunPart, 'What differs from the run of the step.') })),
 })
 
@@ -120,7 +127,10 @@ const Step = v.strictObject({
   camera: optional(
     v.strictObject({
       center: described(v.tuple([v.number(), v.number()]), 'The middle of what is seen, in the scene’s unit.'),
-      zoom: described(v.pipe(v.number(), v.minValue(0.2), v.maxValue(400)), 'How many times larger it is than with the whole scene in view.'),
+      zoom: described(
+        v.pipe(v.number(), v.minValue(0.2), v.maxValue(400)),
+        'How many times larger it is than with the whole scene in view.',
+      ),
     }),
     'What the stage shows of a scene in the plane; else all of it.',
   ),
@@ -170,7 +180,7 @@ export const Lesson = v.strictObject({
   texts: described(
     v.record(
       v.pipe(v.string(), v.regex(/^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$/, 'a language tag')),
-      v.record(key, v.pipe(v.string(), v.maxLength(LONGEST_TEXT))),
+      v.record(key, v.pipe(v.string(), v.minLength(1), v.maxLength(LONGEST_TEXT))),
     ),
     'All words, by language and key; Markdown.',
   ),

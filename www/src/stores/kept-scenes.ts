@@ -1,8 +1,8 @@
 import type { DBSchema, IDBPDatabase } from 'idb'
 
-/* Scenes that are too large for an address, in this browser. */
+/* Scenes and lessons that are too large for an address, in this browser. */
 
-/** So many scenes are kept; the oldest make room. */
+/** So many are kept; the oldest make room. */
 const MOST = 24
 
 interface Schema extends DBSchema {
@@ -15,7 +15,7 @@ async function database(): Promise<IDBPDatabase<Schema>> {
 }
 
 const kept = new Set<string>()
-/** Keeps a scene under a name. */
+/** Keeps a text under a name. */
 export async function keep(name: string, text: string): Promise<void> {
   if (kept.has(name)) return
   kept.add(name)
@@ -29,5 +29,5 @@ export async function keep(name: string, text: string): Promise<void> {
   await done
 }
 
-/** The scene of this name, if it is there. */
+/** The text of this name, if it is there. */
 export const find = async (name: string): Promise<string | undefined> => (await (await database()).get('scenes', name))?.text

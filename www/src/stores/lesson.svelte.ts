@@ -57,6 +57,8 @@ function scoreOf(truth: Truth, guess: Guess): Score | null {
 /** A lesson that is read beside a run: its steps put the run where they want it, and the reader may go elsewhere at any time. */
 export class LessonStore {
   lesson = $state.raw<Lesson | null>(null)
+  /** The name that its address has. */
+  source = ''
   index = $state(0)
   /** The answer that is being given. */
   guess = $state.raw<Guess | null>(null)
@@ -97,12 +99,13 @@ export class LessonStore {
   }
 
   /** Begins a lesson at a step, or where it was left. Throws `LessonError` for names that there are not. */
-  open(lesson: Lesson, step?: string): void {
+  open(lesson: Lesson, source: string, step?: string): void {
     const { catalogue } = this.lab.setup
     if (!catalogue) return
     checkNames(lesson, catalogue)
     this.close()
     this.lesson = lesson
+    this.source = source
     let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
     this.setups = lesson.steps.map(({ run }) => {
       const next = run ? changed(setup, run) : setup
@@ -119,6 +122,7 @@ export class LessonStore {
     cancelAnimationFrame(this.request)
     this.side?.close()
     this.side = null
+    this.source = ''
     this.lesson = this.own = this.shown = this.guess = null
     this.travelling = false
     this.truths = {}
@@ -192,9 +196,9 @@ export class LessonStore {
       case 'item':
         return { at: question.at ?? at + 1, item: question.item as Item }
       case 'run':
-        return { ...own, at: question.at ?? at }
+        return { ...own, at: question.at ?? question.shows ?? at }
       case 'compare':
-        return own
+        return { ...own, at: question.shows ?? at }
     }
   }
 

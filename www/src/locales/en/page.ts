@@ -26,6 +26,7 @@ export const en = {
     exports: 'Export',
     guide: 'Guide',
     keys: 'Keys (?)',
+    capture: 'Capture this moment for a lesson',
     present: 'Present (P)',
     more: 'More',
     theme: 'Colours',

@@ -4,6 +4,9 @@ export interface Place {
   step?: string | undefined
 }
 
+/** The name of the lesson that is written in this browser. */
+export const DRAFT = 'draft'
+
 /** The lesson in an address or its keys: `#lesson=pso`, `&lesson=pso&step=bowl`; null: there is none. */
 export function lessonIn(address: string): Place | null {
   const read = (key: string): string | undefined => new RegExp(`[#&]${key}=([^&]*)`).exec(address)?.[1]
