@@ -37,7 +37,8 @@ function answersTo(truth: Truth, setup: UncheckedSetup): [right: Point | number,
     case 'arrow': {
       const [x, y] = truth.from
       const [dx, dy] = [truth.to[0] - x, truth.to[1] - y]
-      return [truth.to, [x - dx, y - dy]]
+      // The other way, and not so far that it leaves the stage.
+      return [truth.to, [x - dx / 2, y - dy / 2]]
     }
     case 'cell': {
       const { centre, probabilities } = truth

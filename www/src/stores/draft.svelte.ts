@@ -1,6 +1,7 @@
 import type { Item } from 'forage-lab'
 import { type Draft, draftOf, type DraftStep, emptyDraft, lessonOfDraft, nameFor } from '../lessons/draft'
 import type { Lesson } from '../lessons/format'
+import { sameScene } from '../scene/equality'
 import type { Lab } from './lab.svelte'
 import { forget, recall, remember } from './storage'
 
@@ -52,7 +53,8 @@ class DraftStore {
     const { scene, setup, playback, selection, layers, picture } = lab
     if (!scene.present || lab.run.failed) return null
     const { planner, params = {}, seed = 0 } = setup.wanted(scene.present)
-    const shipped = setup.catalogue?.scenes.includes(scene.present)
+    const { present } = scene
+    const shipped = setup.catalogue?.scenes.some((known) => sameScene(known, present))
     const { camera } = picture
     const step: DraftStep = {
       name: nameFor(
@@ -61,7 +63,7 @@ class DraftStore {
       ),
       title: '',
       text: '',
-      run: { planner, scene: (shipped ? scene.present.name : scene.present) as DraftStep['run']['scene'], params, seed },
+      run: { planner, scene: (shipped ? present.name : present) as DraftStep['run']['scene'], params, seed },
       at: playback.target ?? playback.iteration,
       ...(selection.inspection && { item: itemOf(selection.inspection.item) }),
       ...(Object.keys(layers.chosen).length > 0 && { layers: { ...layers.chosen } }),

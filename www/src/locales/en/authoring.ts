@@ -39,7 +39,6 @@ export const authoring = {
   down: (n: number) => `Move step ${n} down`,
   remove: (n: number) => `Delete step ${n}`,
   show: 'Show in the Lab',
-  showStep: (n: number) => `Show step ${n} in the Lab`,
   preview: 'Preview',
   prediction: {
     title: 'Prediction',
