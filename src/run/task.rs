@@ -48,6 +48,10 @@ pub struct Task {
     pub params: Overrides,
 }
 
+/// A run is not replayed further than so many times the budget, or without one than so many evaluations: a link may ask for days.
+const FACTOR: u64 = 10;
+const MOST_EVALUATIONS: u64 = 10_000_000;
+
 /// What became of a link that was handed in.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -66,13 +70,14 @@ pub struct Judgement {
 
 impl Task {
     /// Reads a task as JSON: `{"goal": {"gap": 0.01}, "budget": {"evaluations": 5000}, "planner"?, "scene"?, "params"?}`. The scene is a
-    /// shipped one's name, or a scene's file in place.
+    /// shipped one's name, or a scene's file in place. A lesson's file is read for the task in it.
     ///
     /// # Errors
     /// The field, what it holds and what is allowed.
     pub fn read(registry: &Registry, text: &str) -> Result<Self, Error> {
-        let json =
+        let json: Json =
             serde_json::from_str(text).map_err(|problem| Error::malformed("task", Message::verbatim(format!("not JSON: {problem}"))))?;
+        let json = if json["format"] == "forage-lesson" { task_of(json) } else { json };
         let mut fields = Fields::of("task", json, message!("task-object", "an object with goal, budget and what is given"))?;
         let goal = goal(&fields.take("goal"))?;
         let evaluations = budget(fields.take("budget"))?;
@@ -91,7 +96,8 @@ impl Task {
         Ok(Self { goal, evaluations, planner, scene, params })
     }
 
-    /// Carries out the run of a link up to its iteration, and judges it.
+    /// Carries out the run of a link up to its iteration, and judges it. One that goes far beyond the budget is given up on the way, and is
+    /// not verified then.
     ///
     /// # Errors
     /// Where the run cannot begin.
@@ -102,7 +108,8 @@ impl Task {
         let (mut reached, mut best) = (None, f64::INFINITY);
         loop {
             let cost = run.best().map_or(f64::INFINITY, |best| best.cost);
-            let over = run.iteration() >= link.iteration || run.status() != Status::Running;
+            let beyond = run.evaluations() > self.most_replayed();
+            let over = run.iteration() >= link.iteration || run.status() != Status::Running || beyond;
             // A result is only judged when there is another one.
             if reached.is_none() && self.affords(run.evaluations()) && (cost < best || over) && self.goal.is_met(&run.outcome()) {
                 reached = Some(run.evaluations());
@@ -114,7 +121,15 @@ impl Task {
             run.step(1);
         }
         let outcome = run.outcome();
-        let problem = differs(link, &outcome);
+        let problem = if run.evaluations() > self.most_replayed() && run.iteration() < link.iteration {
+            Some(message!(
+                "task-far-beyond",
+                "The run goes on beyond {most} evaluations: it is not replayed to the end, and its hash is not checked.",
+                most = self.most_replayed()
+            ))
+        } else {
+            differs(link, &outcome)
+        };
         let verified = problem.is_none();
         reasons.extend(problem);
         if reached.is_none() {
@@ -122,6 +137,11 @@ impl Task {
         }
         let evaluations = reached.unwrap_or(outcome.evaluations);
         Ok(Judgement { reached: reached.is_some() && as_given, evaluations, verified, reasons, outcome })
+    }
+
+    /// How many evaluations a run is replayed for.
+    fn most_replayed(&self) -> u64 {
+        self.evaluations.map_or(MOST_EVALUATIONS, |most| most.saturating_mul(FACTOR))
     }
 
     fn affords(&self, evaluations: u64) -> bool {
@@ -183,6 +203,15 @@ impl Task {
             Goal::Cost(_) => message!("task-cost", "The cost is {is:.6}; at most {most} is asked.", is, most),
         }
     }
+}
+
+/// The task in a lesson; its words are for the reader.
+fn task_of(mut lesson: Json) -> Json {
+    let mut task = lesson["task"].take();
+    if let Some(fields) = task.as_object_mut() {
+        fields.remove("text");
+    }
+    task
 }
 
 impl Goal {

@@ -8,7 +8,7 @@ import { extent, fit as fitted, isDown, margins, toScreen } from '../src/render/
 import { changed, type Truth, truthOf } from '../src/stores/lesson-truth'
 import { CoreOracle } from '../unit/core/oracle'
 import { violations } from './support/axe'
-import { hashOf, sceneOf } from './support/core'
+import { hashOf, sceneOf, verified } from './support/core'
 import { expect, type Lab, test } from './support/lab'
 
 const lessons = lessonsIn(fileURLToPath(new URL('../../lessons', import.meta.url)))
@@ -135,14 +135,33 @@ test('a lesson is left for a run of one’s own, and come back to', { tag: '@smo
   await expect(page.getByTestId('lesson-away')).toHaveCount(0)
 })
 
+test('a lesson ends in a task, and its run is handed in as a link', async ({ lab, page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+  const { task } = FIRST
+  await open(lab, page, FIRST.name)
+  await page.getByTestId('task-begin').click()
+  await lab.settled(0)
+  await expect(page.getByTestId('task')).toHaveAttribute('data-reached', 'false')
+  await lab.seek(1000)
+  await expect(page.getByTestId('task-standing')).toContainText(text.tasks.over)
+  await page.getByTestId('task-hand-in').click()
+  await expect(page.getByText(text.tasks.copied)).toBeVisible()
+  const link = await page.evaluate(() => navigator.clipboard.readText())
+  expect(verified(new URL(link).hash)).toMatchObject({ planner: task?.planner, scene: { name: task?.scene }, iteration: 1000 })
+})
+
 test('scrolling moves the run', async ({ lab, page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await open(lab, page, FIRST.name)
   const [, , third] = FIRST.steps
-  await page
-    .locator(`[data-step="${third?.name}"]`)
-    .last()
-    .evaluate((article) => article.scrollIntoView({ block: 'center' }))
+  const article = page.locator(`article[data-step="${third?.name}"]`)
+  await page.getByRole('heading', { level: 2 }).first().hover()
+  await expect
+    .poll(async () => {
+      await page.mouse.wheel(0, 100)
+      return (await article.boundingBox())?.y ?? Number.POSITIVE_INFINITY
+    })
+    .toBeLessThan(380)
   await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', third?.name ?? '')
   await lab.settled(third?.at)
 })

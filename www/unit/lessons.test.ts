@@ -3,11 +3,13 @@ import { fileURLToPath } from 'node:url'
 import { toJsonSchema } from '@valibot/to-json-schema'
 import Ajv2020 from 'ajv/dist/2020.js'
 import { describe, expect, it } from 'vitest'
+import type { Outcome, Scene } from 'forage-lab'
 import { lessonsIn } from '../plugins/lessons'
 import { Lesson, Task } from '../src/lessons/format'
 import { draftOf, lessonOfDraft, nameFor } from '../src/lessons/draft'
 import { packed, unpacked } from '../src/lessons/link'
 import { checkLesson, LessonError, readLesson } from '../src/lessons/read'
+import { isMet, standingOf } from '../src/lessons/task'
 import { median, optionAt, scoreArrow, scoreCell, scoreMember, scoreNode } from '../src/lessons/score'
 import { hrefOf, tokensOf } from '../src/ui/markdown'
 
@@ -80,7 +82,7 @@ describe('a lesson that is wrong', () => {
       'asks for the past',
       (l) => Object.assign(step(l, 5).question as object, { at: 5 }),
       'steps[5].question.at',
-      '`steps[5].question.at` is 5; it must be more than 5, the iteration that is shown',
+      '`steps[5].question.at` is 5; it must be more than 9, the iteration that is shown',
     ],
     [
       'has an option without a range',
@@ -150,6 +152,30 @@ describe('a prediction', () => {
       Number.POSITIVE_INFINITY,
       Number.NaN,
     ])
+  })
+})
+
+describe('a task', () => {
+  const shown = {
+    planner: 'pso',
+    scene: { name: 'sphere-2' } as Scene,
+    outcome: { gap: null, length: null, cost: 0.5, feasible: true, evaluations: 900, parameters: { w: 0.7 } } as unknown as Outcome,
+  }
+
+  it('is met by a feasible result within the budget, of what is given', () => {
+    const met = (task: Task, other: object = {}): boolean => isMet(standingOf(task, { ...shown, ...other }))
+    const goal = { cost: 0.5 }
+    expect(met({ goal, budget: { evaluations: 900 }, planner: 'pso', scene: 'sphere-2', params: { w: 0.7 } })).toBe(true)
+    expect(met({ goal: { cost: 0.4 } })).toBe(false)
+    expect(met({ goal, budget: { evaluations: 899 } })).toBe(false)
+    expect([met({ goal, planner: 'wpso' }), met({ goal, scene: 'sphere' }), met({ goal, params: { w: 0.8 } })]).toEqual([
+      false,
+      false,
+      false,
+    ])
+    expect(met({ goal: { gap: 1 } })).toBe(false)
+    expect(met({ goal }, { outcome: { ...shown.outcome, feasible: false } })).toBe(false)
+    expect(met({ goal }, { outcome: null })).toBe(false)
   })
 })
 

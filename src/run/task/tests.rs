@@ -131,3 +131,23 @@ fn a_task_that_makes_no_sense_is_refused_with_its_field() {
         assert!(error.to_string().contains(field), "{text}: {error}");
     }
 }
+
+#[test]
+fn a_run_far_beyond_the_budget_is_given_up_on_the_way() {
+    let [near, far] = [10, 100].map(|at| run("pso", "wcpso-discs", 3, at));
+    let budget = near.evaluations().div_ceil(10);
+    let task = task(&format!(r#"{{"goal": {{"gap": 0}}, "budget": {{"evaluations": {budget}}}}}"#));
+    assert!(judged(&task, &near.link().unwrap()).verified);
+    let given_up = judged(&task, &far.link().unwrap());
+    assert!(!given_up.verified && !given_up.reached);
+    assert!((near.evaluations()..far.evaluations() / 2).contains(&given_up.outcome.evaluations));
+    assert!(given_up.reasons[0].text().contains("The run goes on beyond"), "{:?}", given_up.reasons);
+}
+
+#[test]
+fn a_lesson_has_its_task() {
+    let task = task(r#"{"format": "forage-lesson", "task": {"text": "task", "goal": {"cost": 1e-12}, "planner": "pso"}, "steps": []}"#);
+    assert_eq!((task.planner.as_deref(), task.evaluations, task.goal), (Some("pso"), None, Goal::Cost(1e-12)));
+    let error = Task::read(standard(), r#"{"format": "forage-lesson"}"#).unwrap_err();
+    assert!(error.to_string().contains("task"), "{error}");
+}

@@ -148,7 +148,10 @@ export const Task = v.strictObject({
     ]),
     'At most this gap to the exact optimum (0.01 is 1 %), this length or this cost.',
   ),
-  budget: described(v.strictObject({ evaluations: whole(1, Number.MAX_SAFE_INTEGER) }), 'With at most so many evaluations.'),
+  budget: optional(
+    v.strictObject({ evaluations: whole(1, Number.MAX_SAFE_INTEGER) }),
+    'With at most so many evaluations; else with as many as the run takes.',
+  ),
   planner: optional(short, 'The planner that is to be used.'),
   scene: optional(Scene, 'The scene that it is to be reached on.'),
   params: optional(Params, 'Parameters that are given.'),

@@ -158,9 +158,7 @@ export class LessonStore {
     const same = this.shown === setup && !this.forked
     const begins = step.from ?? step.at
     if (!same) {
-      const { scene } = setup
-      const whole = typeof scene === 'string' ? lab.setup.catalogue?.scenes.find(({ name }) => name === scene) : scene
-      lab.openMoment({ ...setup, scene: whole, iteration: begins } as LinkSetup)
+      lab.openMoment({ ...setup, scene: this.sceneOf(setup.scene), iteration: begins } as LinkSetup)
     }
     this.shown = setup
     this.own = lab.scene.present && lab.setup.wanted(lab.scene.present)
@@ -171,6 +169,21 @@ export class LessonStore {
     const from = same ? (step.from !== undefined && this.place < step.from ? step.from : this.place) : begins
     this.travel(from, at, () => lab.selection.inspect(item))
   }
+
+  /** The task's run, from its beginning; planner and scene are the last step's where the task leaves them open. */
+  beginTask = (): void => {
+    const { lab, lesson } = this
+    const last = this.setups.at(-1)
+    if (!lesson?.task || !last) return
+    const { planner, scene, params } = changed(last, { ...lesson.task, params: lesson.task.params ?? {}, seed: 1 })
+    lab.layers.highlighted = null
+    lab.layers.chosen = {}
+    lab.openMoment({ planner, scene: this.sceneOf(scene), params, seed: 1, iteration: 0 } as unknown as LinkSetup)
+  }
+
+  /** A scene that ships has its name. */
+  private sceneOf = (scene: UncheckedSetup['scene']): unknown =>
+    typeof scene === 'string' ? this.lab.setup.catalogue?.scenes.find(({ name }) => name === scene) : scene
 
   /** What the stage shows of the plane: where it was looked at closer before, all of it again. */
   private look({ camera }: Step): void {
