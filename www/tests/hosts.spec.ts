@@ -243,6 +243,12 @@ test(
     await again.saveAs(second)
     await file.goto(`file://${second}`)
     await hashIn(file).toHaveAttribute('data-hash', hash ?? '')
+    // Its lessons are a click away.
+    await file.getByTestId('view-learn').click()
+    await file.getByTestId('open-lesson-pso').click()
+    await file.getByTestId('lesson-next').click()
+    await expect(file.getByTestId('lesson')).toHaveAttribute('data-step', 'best')
+    await expect(file.locator('[data-iteration]').first()).toHaveAttribute('data-iteration', '2')
     expect(asked?.filter((url) => !url.startsWith('file:') && !url.startsWith('blob:') && !url.startsWith('data:'))).toEqual([])
     expect(wrongs?.filter((text) => !text.includes('ReadPixels'))).toEqual([])
   },

@@ -9,6 +9,7 @@ import { changed, type Truth, truthOf } from '../src/stores/lesson-truth'
 import { CoreOracle } from '../unit/core/oracle'
 import { violations } from './support/axe'
 import { hashOf, sceneOf, verified } from './support/core'
+import { SITE } from './support/site'
 import { expect, type Lab, test } from './support/lab'
 
 const lessons = lessonsIn(fileURLToPath(new URL('../../lessons', import.meta.url)))
@@ -208,6 +209,40 @@ test('a lesson is accessible, at every width', async ({ lab, page }) => {
     expect(await violations(lab)).toEqual([])
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width)
   }
+})
+
+test('a lesson is embedded: by an iframe and by the element', { tag: '@smoke' }, async ({ lab, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  const [, second] = FIRST.steps
+  const shown = page.getByTestId('lesson')
+  await lab.open(`?embed#lesson=${FIRST.name}&step=${second?.name}`)
+  await expect(shown).toHaveAttribute('data-step', second?.name ?? '')
+  const hash = await lab.settled(second?.at)
+  await expect(page.getByTestId('whole')).toHaveAttribute('href', /#lesson=/)
+
+  await page.goto(`${SITE}course.html`)
+  await page.evaluate(
+    (src) =>
+      document.body.insertAdjacentHTML(
+        'afterbegin',
+        `<forage-run id="lesson" src="${src}" style="width: 960px; height: 600px"></forage-run>`,
+      ),
+    `#lesson=${FIRST.name}&step=${second?.name}`,
+  )
+  const element = page.locator('#lesson')
+  await expect(element.getByTestId('lesson')).toHaveAttribute('data-step', second?.name ?? '')
+  await expect(element).toHaveAttribute('data-hash', hash)
+  await element.getByTestId('lesson-back').click()
+  await expect(element.getByTestId('lesson')).toHaveAttribute('data-step', FIRST.steps[0]?.name ?? '')
+  await expect(element).toHaveAttribute('data-iteration', '0')
+})
+
+test('the dialog gives what shows a lesson on another page', async ({ lab, page }) => {
+  await open(lab, page, FIRST.name)
+  await page.getByTestId('embed').click()
+  await expect(page.getByTestId('embed-dialog').locator('textarea')).toHaveValue(
+    new RegExp(`#lesson=${FIRST.name}&amp;step=${FIRST.steps[0]?.name}`),
+  )
 })
 
 test('a lesson that there is not is said, and the page is there', async ({ lab, page }) => {

@@ -67,6 +67,10 @@ test('once kept, the page opens without a network: any run, any room, an embed',
   await expect(page.getByRole('heading', { level: 2 }).first()).toBeVisible()
   await page.goto(`${site.address}?embed&controls=none${SWARM}`)
   await expect(app).toHaveAttribute('data-hash', verified(SWARM).hash ?? '')
+  await page.goto(`${site.address}#lesson=pso&step=best`)
+  await page.reload()
+  await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', 'best')
+  await expect(page.getByTestId('app')).toHaveAttribute('data-iteration', '2')
 })
 
 test('a newer version is offered, and comes only when it is asked for', async ({ page, site }) => {

@@ -43,6 +43,12 @@ describe('the schemas', () => {
   })
 })
 
+it('the lesson in the documentation can be read', () => {
+  const text = readFileSync(`${folder}/../docs/lessons.md`, 'utf8')
+  const [, json = ''] = /```json\n([\s\S]*?)```/.exec(text) ?? []
+  expect(readLesson(json).name).toBe('one-move')
+})
+
 describe('a lesson that is wrong', () => {
   const whole = (): Record<string, unknown> & { steps: Record<number, Record<string, unknown>>; texts: { en: Record<string, string> } } =>
     JSON.parse(readFileSync(`${folder}/pso.json`, 'utf8'))

@@ -158,11 +158,12 @@ async function compared({ of, options, seeds, evaluations }: QuestionOf<'compare
   return { kind: 'compare', option, medians, wins }
 }
 
-/** A result's number: what is not there counts as worse than all. */
+/** A result's number: what is not there, or is of a path that collides, counts as worse than all. */
 function numberOf(result: object, of: string): number {
   const { readings } = result as { readings?: Readonly<Record<string, number>> }
   const own = (result as Readonly<Record<string, unknown>>)[of]
-  if (own === null) return Number.POSITIVE_INFINITY
+  const invalid = (of === 'length' || of === 'gap') && (result as { feasible?: boolean }).feasible === false
+  if (own === null || invalid) return Number.POSITIVE_INFINITY
   const value = typeof own === 'number' ? own : readings?.[of]
   if (value === undefined) throw new NoTruth(`of: there is no ${of}.`)
   return value

@@ -8,7 +8,7 @@ import { obey, stateOf, tell } from '../../rooms/embed/remote.svelte'
 import { attributesOf } from '../../stores/attributes'
 import { Lab } from '../../stores/lab.svelte'
 import { stillness, Theme } from '../../stores/theme.svelte'
-import { lessonIn, type Place } from '../../rooms/learn/address'
+import { lessonIn, type Place } from '../../stores/lesson-address'
 import { linkOf, SETUP } from './link'
 import Run from './Run.svelte'
 
@@ -188,7 +188,7 @@ export class ForageRun extends HTMLElement {
   private async start(lab: Lab, address: { first: string | null }): Promise<void> {
     try {
       this.look.lesson = this.lesson
-      if (!this.look.lesson) address.first = await this.link()
+      address.first = await (this.look.lesson ? null : this.link())
       // It may have been taken away meanwhile.
       if (this.shown?.lab !== lab) return
       await lab.open()

@@ -19,5 +19,6 @@ export const embed = {
   copied: 'Copied',
   copyFailed: 'Copying was not allowed: the text is selected.',
   preview: 'Preview',
+  lessonTooLarge: 'This lesson is longer than a link may be. Share it as a file instead.',
   failed: (message: string) => `There is no link of this run: ${message}`,
 } as const

@@ -3,11 +3,8 @@ import type { Lesson } from '../../lessons/format'
 import { isPacked, unpacked } from '../../lessons/link'
 import { readLesson } from '../../lessons/read'
 import { draft } from '../../stores/draft.svelte'
-import { DRAFT } from './address'
+import { DRAFT, OPENED } from '../../stores/lesson-address'
 import { nameOf } from '../../stores/large-links'
-
-/** One whose file was opened: this browser keeps it. */
-const OPENED = '@'
 
 /** A lesson by the name that its address has; null: there is none. Throws what is wrong with one that is not the page's own. */
 export async function lessonNamed(name: string): Promise<Lesson | null> {

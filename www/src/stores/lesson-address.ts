@@ -7,6 +7,9 @@ export interface Place {
 /** The name of the lesson that is written in this browser. */
 export const DRAFT = 'draft'
 
+/** Before the name of one whose file was opened: this browser keeps it. */
+export const OPENED = '@'
+
 /** The lesson in an address or its keys: `#lesson=pso`, `&lesson=pso&step=bowl`; null: there is none. */
 export function lessonIn(address: string): Place | null {
   const read = (key: string): string | undefined => new RegExp(`[#&]${key}=([^&]*)`).exec(address)?.[1]
