@@ -31,7 +31,7 @@ export default defineConfig({
     early(['forage_bg', 'catalogue']),
     formulas(core, `${root}/lessons`),
     palette(`${root}/src/describe/palette.json`),
-    lessons(`${root}/lessons`),
+    lessons(`${root}/lessons`, `${root}/REPRODUCTION.claims.json`),
     recordings(core),
     reproduction(root),
     policy(),

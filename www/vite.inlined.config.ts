@@ -112,7 +112,7 @@ export default defineConfig(({ mode }) => ({
     unaddressed(core),
     svelte(),
     formulas(core, at('../lessons')),
-    lessons(at('../lessons')),
+    lessons(at('../lessons'), at('../REPRODUCTION.claims.json')),
     palette(at('../src/describe/palette.json')),
     inlined(core, files, threads, { ...shared, plugins: [unaddressed(core)] }),
     mode === 'element' ? withStyles() : withPage(),

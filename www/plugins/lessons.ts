@@ -26,6 +26,13 @@ export function lessonsIn(folder: string): Lesson[] {
   return lessons.sort((a, b) => place(a) - place(b) || a.name.localeCompare(b.name))
 }
 
+interface Judged {
+  id: string
+  paper: string
+  says: string
+  mark: string
+}
+
 /** Without its scripts: a list needs no more of a lesson. */
 const entryOf = ({ name, kind, minutes, paper, language, title, summary, steps, texts }: Lesson) => ({
   name,
@@ -40,8 +47,9 @@ const entryOf = ({ name, kind, minutes, paper, language, title, summary, steps, 
 /**
  * Provides `virtual:lessons`: what lessons there are, and each of them when it is asked for.
  * @param folder where their files are
+ * @param claims the file with the judged claims of the papers
  */
-export function lessons(folder: string): Plugin {
+export function lessons(folder: string, claims: string): Plugin {
   return {
     name: 'forage-lessons',
     resolveId: (id) => (id === ID || id.startsWith(`${ID}/`) ? `\0${id}` : undefined),
@@ -54,7 +62,14 @@ export function lessons(folder: string): Plugin {
         return `export default JSON.parse(${JSON.stringify(JSON.stringify(lesson))})`
       }
       const loaders = all.map(({ name }) => `${JSON.stringify(name)}: () => import(${JSON.stringify(`${ID}/${name}`)})`)
-      return [`export const entries = ${JSON.stringify(all.map(entryOf))}`, `export const load = { ${loaders.join(', ')} }`].join('\n')
+      const named = new Set(all.flatMap(({ claims = [] }) => claims))
+      const judged = (JSON.parse(readFileSync(claims, 'utf8')) as { claims: Judged[] }).claims
+      const told = judged.filter(({ id }) => named.has(id)).map(({ id, paper, says, mark }) => [id, { paper, says, mark }] as const)
+      return [
+        `export const claims = ${JSON.stringify(Object.fromEntries(told))}`,
+        `export const entries = ${JSON.stringify(all.map(entryOf))}`,
+        `export const load = { ${loaders.join(', ')} }`,
+      ].join('\n')
     },
   }
 }

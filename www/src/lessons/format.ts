@@ -157,6 +157,51 @@ export const Task = v.strictObject({
   params: optional(Params, 'Parameters that are given.'),
 })
 
+const written = {
+  value: described(v.number(), 'The number: a test computes it again.'),
+  as: optional(v.picklist(['percent']), 'Written as a percentage; else as it is.'),
+}
+
+/** A number in a text, `{name}`, and where it comes from. */
+const Figure = v.variant('kind', [
+  v.strictObject({
+    kind: v.literal('moment'),
+    step: described(name, 'The step whose run it is of.'),
+    at: optional(iteration, 'The iteration; else the one that the step shows.'),
+    item: optional(Item, 'It is a number of this item’s explanation.'),
+    of: described(short, 'A reading, or a field of the result such as `cost`, `length`, `gap`, `exact`, `evaluations`.'),
+    ...written,
+  }),
+  v.strictObject({
+    kind: v.literal('seeds'),
+    step: described(name, 'The step whose run is repeated.'),
+    run: optional(RunPart, 'What differs from it.'),
+    seeds: described(whole(2, MOST_SEEDS), 'With the seeds 1, 2, 3, …'),
+    evaluations: optional(whole(1, 1_000_000), 'With so many evaluations each; else to the end.'),
+    of: described(
+      short,
+      'The median of `cost`, `length`, `gap`, `evaluations` or `iterations`; `feasible`: the share of runs with a valid result.',
+    ),
+    ...written,
+  }),
+  v.strictObject({
+    kind: v.literal('setting'),
+    step: described(name, 'The step whose run it is of.'),
+    of: described(short, 'A parameter.'),
+    ...written,
+  }),
+  v.strictObject({
+    kind: v.literal('published'),
+    reproduction: described(short, 'As in REPRODUCTION.csv.'),
+    row: described(short, 'As in REPRODUCTION.csv.'),
+    of: described(
+      v.picklist(['published_best', 'published_mean', 'published_std', 'published_runs', 'best', 'mean', 'std', 'median', 'runs']),
+      'The column.',
+    ),
+    ...written,
+  }),
+])
+
 export const Lesson = v.strictObject({
   $schema: optional(v.string(), 'Where this schema is, for editors.'),
   format: described(v.literal('forage-lesson'), 'Always `forage-lesson`.'),
@@ -179,6 +224,8 @@ export const Lesson = v.strictObject({
     'An experiment to go on with.',
   ),
   task: optional(v.strictObject({ text: key, ...Task.entries }), 'A task whose run is handed in as a link.'),
+  numbers: optional(v.record(name, Figure), 'Numbers that texts have as `{name}`.'),
+  claims: optional(v.array(short), 'Claims of the paper that are judged at the end, by their names in REPRODUCTION.'),
   notes: optional(key, 'Notes for the lecturer.'),
   texts: described(
     v.record(
@@ -194,4 +241,5 @@ export type Step = v.InferOutput<typeof Step>
 export type Question = v.InferOutput<typeof Question>
 export type QuestionOf<K extends Question['kind']> = Extract<Question, { kind: K }>
 export type RunPart = v.InferOutput<typeof RunPart>
+export type Figure = v.InferOutput<typeof Figure>
 export type Task = v.InferOutput<typeof Task>

@@ -33,6 +33,7 @@ export function checkLesson(json: unknown): Lesson {
   const lesson = read.output
   checkTexts(lesson)
   checkSteps(lesson.steps)
+  checkNumbers(lesson)
   return lesson
 }
 
@@ -112,6 +113,25 @@ function checkSteps(steps: readonly Step[]): void {
     if (at === 0)
       for (const part of ['planner', 'scene'] as const) if (!step.run?.[part]) throw refuse(`${field}.run.${part}`, 'is missing')
     checkQuestion(step, `${field}.question`)
+  }
+}
+
+/** As texts have a number: `{gap-end}`. */
+export const FIGURE = /\{([a-z0-9][a-z0-9-]*)\}/g
+
+/** Each number in a text is there, and is of a step; none is there for nothing. */
+function checkNumbers({ numbers = {}, steps, texts }: Lesson): void {
+  const used = new Set<string>()
+  for (const [tag, known] of Object.entries(texts))
+    for (const [key, words] of Object.entries(known))
+      for (const [, name = ''] of words.replace(/\$[^$]*\$/g, '').matchAll(FIGURE)) {
+        if (!(name in numbers)) throw refuse(`texts.${tag}.${key}`, `has {${name}}; \`numbers\` has no such number`)
+        used.add(name)
+      }
+  for (const [name, number] of Object.entries(numbers)) {
+    if (!used.has(name)) throw refuse(`numbers.${name}`, 'is in no text')
+    if ('step' in number && !steps.some((step) => step.name === number.step))
+      throw refuse(`numbers.${name}.step`, `is ${shown(number.step)}; it must be one of ${steps.map((step) => step.name).join(', ')}`)
   }
 }
 

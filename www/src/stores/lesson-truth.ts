@@ -159,7 +159,7 @@ async function compared({ of, options, seeds, evaluations }: QuestionOf<'compare
 }
 
 /** A result's number: what is not there, or is of a path that collides, counts as worse than all. */
-function numberOf(result: object, of: string): number {
+export function numberOf(result: object, of: string): number {
   const { readings } = result as { readings?: Readonly<Record<string, number>> }
   const own = (result as Readonly<Record<string, unknown>>)[of]
   const invalid = (of === 'length' || of === 'gap') && (result as { feasible?: boolean }).feasible === false

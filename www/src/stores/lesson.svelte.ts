@@ -18,6 +18,7 @@ import { extent } from '../render/view'
 import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
 import { type Guess, progress } from './lesson-progress.svelte'
+import { setupsOf } from './lesson-figures'
 import { changed, type Truth, truthOf } from './lesson-truth'
 import type { PlaneCamera } from './page-keys'
 import { stillness } from './theme.svelte'
@@ -106,11 +107,12 @@ export class LessonStore {
     this.close()
     this.lesson = lesson
     this.source = source
-    let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
-    this.setups = lesson.steps.map(({ run }) => {
-      const next = run ? changed(setup, run) : setup
-      if (JSON.stringify(next) !== JSON.stringify(setup)) setup = next
-      return setup
+    // What runs at several steps is one run.
+    const known = new Map<string, UncheckedSetup>()
+    this.setups = [...setupsOf(lesson).values()].map((setup) => {
+      const text = JSON.stringify(setup)
+      if (!known.has(text)) known.set(text, setup)
+      return known.get(text) ?? setup
     })
     const standing = progress.of(lesson.name)
     this.answers = standing.answers
@@ -168,6 +170,16 @@ export class LessonStore {
     lab.selection.inspect(null)
     const from = same ? (step.from !== undefined && this.place < step.from ? step.from : this.place) : begins
     this.travel(from, at, () => lab.selection.inspect(item))
+  }
+
+  /** The run where a number of the text comes from. */
+  visit = (step: string, at: number | undefined, item: { role: string; index: number } | null): void => {
+    const index = this.steps.findIndex(({ name }) => name === step)
+    const found = this.steps[index]
+    if (!found) return
+    if (index !== this.index || this.forked) this.go(index)
+    this.lab.playback.seek(at ?? found.at)
+    this.lab.selection.inspect((item ?? found.item ?? null) as Item | null)
   }
 
   /** The task's run, from its beginning; planner and scene are the last step's where the task leaves them open. */

@@ -6,6 +6,12 @@ export interface MathToken extends Tokens.Generic {
   tex: string
 }
 
+/** A number whose value stands elsewhere: `{gap-end}`. */
+export interface FigureToken extends Tokens.Generic {
+  type: 'figure'
+  name: string
+}
+
 const marked = new Marked({
   gfm: true,
   extensions: [
@@ -16,6 +22,15 @@ const marked = new Marked({
       tokenizer(text): MathToken | undefined {
         const [raw, tex] = /^\$([^\s$](?:[^$\n]*[^\s$])?)\$(?!\d)/.exec(text) ?? []
         return raw === undefined || tex === undefined ? undefined : { type: 'math', raw, tex }
+      },
+    },
+    {
+      name: 'figure',
+      level: 'inline',
+      start: (text) => text.indexOf('{'),
+      tokenizer(text): FigureToken | undefined {
+        const [raw, name] = /^\{([a-z0-9][a-z0-9-]*)\}/.exec(text) ?? []
+        return raw === undefined || name === undefined ? undefined : { type: 'figure', raw, name }
       },
     },
   ],
