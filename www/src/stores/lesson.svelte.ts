@@ -59,7 +59,7 @@ function scoreOf(truth: Truth, guess: Guess): Score | null {
 export class LessonStore {
   lesson = $state.raw<Lesson | null>(null)
   /** The name that its address has. */
-  source = ''
+  source = $state('')
   index = $state(0)
   /** The answer that is being given. */
   guess = $state.raw<Guess | null>(null)
