@@ -113,6 +113,30 @@ for (const lesson of lessons.filter(({ kind }) => kind !== 'article')) {
   })
 }
 
+for (const article of lessons.filter(({ kind }) => kind === 'article')) {
+  test(`${article.name} moves its run from step to step, and shows where its numbers come from`, async ({ lab, page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await open(lab, page, article.name)
+    let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
+    for (const [at, step] of article.steps.entries()) {
+      if (step.run) setup = changed(setup, step.run)
+      await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', step.name)
+      expect(await lab.settled(step.at), step.name).toBe(hashOf(setup, step.at))
+      await expect(here(page).locator('.markdown')).not.toContainText(/\{[a-z0-9-]+\}/)
+      if (at < article.steps.length - 1) await page.getByTestId('lesson-next').click()
+    }
+    expect(await violations(lab)).toEqual([])
+    for (const id of article.claims ?? []) await expect(page.getByTestId(`article-claim-${id}`)).toBeVisible()
+    const figure = page.locator('button.figure').first()
+    await figure.click()
+    const places = Object.values(article.numbers ?? {}).flatMap((number) =>
+      number.kind === 'moment' ? [number.at ?? article.steps.find(({ name }) => name === number.step)?.at] : [],
+    )
+    await lab.settled()
+    expect(places).toContain(await lab.iteration())
+  })
+}
+
 const FIRST = lessons[0] as Lesson
 
 test('a lesson is left for a run of one’s own, and come back to', { tag: '@smoke' }, async ({ lab, page }) => {

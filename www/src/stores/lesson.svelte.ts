@@ -120,16 +120,27 @@ export class LessonStore {
     this.go(Math.min(Math.max(named, 0), lesson.steps.length - 1))
   }
 
-  close(): void {
+  /** Nobody sees it: nothing is computed until it goes on. */
+  rest(): void {
     cancelAnimationFrame(this.request)
+    this.travelling = false
     this.side?.close()
     this.side = null
+    this.lab.layers.highlighted = null
+  }
+
+  /** It is seen again. */
+  resume(): void {
+    this.lab.layers.highlighted = this.step?.highlight ?? null
+    void this.find(this.index)
+  }
+
+  close(): void {
+    this.rest()
     this.source = ''
     this.lesson = this.own = this.shown = this.guess = null
-    this.travelling = false
     this.truths = {}
     this.failures = {}
-    this.lab.layers.highlighted = null
     this.lab.layers.chosen = {}
   }
 

@@ -19,8 +19,8 @@ export const learn = {
     },
   },
   papers: {
-    title: 'Five articles behind it',
+    title: 'The five papers behind it',
     text: 'What they claim, and what comes out when it is run again.',
-    open: 'See the articles',
+    open: 'See the papers',
   },
 } as const
