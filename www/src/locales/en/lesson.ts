@@ -28,7 +28,7 @@ export const lesson = {
     lab: 'Open in the Lab',
   },
   change: 'Change the parameters',
-  articles: 'Five articles',
+  articles: 'The papers, explained',
   articlesLead: 'What each paper proposes, at work next to the text. Every number comes from a run.',
   claims: 'What the paper claims, and what the runs say',
   papers: 'The evidence, in Papers',
