@@ -5,7 +5,8 @@ import { lessonsIn } from '../plugins/lessons'
 import type { Lesson, Step } from '../src/lessons/format'
 import { lesson as text } from '../src/locales/en/lesson'
 import { extent, fit as fitted, isDown, margins, toScreen } from '../src/render/view'
-import { changed, type Truth, truthOf } from '../src/stores/lesson-truth'
+import { setupsOf } from '../src/stores/lesson-figures'
+import { type Truth, truthOf } from '../src/stores/lesson-truth'
 import { CoreOracle } from '../unit/core/oracle'
 import { violations } from './support/axe'
 import { hashOf, sceneOf, verified } from './support/core'
@@ -100,9 +101,9 @@ for (const lesson of lessons.filter(({ kind }) => kind !== 'article')) {
     await page.emulateMedia({ reducedMotion: 'reduce' })
     await open(lab, page, lesson.name)
     const oracle = new CoreOracle()
-    let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
+    const setups = setupsOf(lesson)
     for (const [at, step] of lesson.steps.entries()) {
-      if (step.run) setup = changed(setup, step.run)
+      const setup = setups.get(step.name) as UncheckedSetup
       await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', step.name)
       expect(await lab.settled(step.at), step.name).toBe(hashOf(setup, step.at))
       await expect(page.getByTestId('lesson-away')).toHaveCount(0)
@@ -117,9 +118,9 @@ for (const article of lessons.filter(({ kind }) => kind === 'article')) {
   test(`${article.name} moves its run from step to step, and shows where its numbers come from`, async ({ lab, page }) => {
     await page.emulateMedia({ reducedMotion: 'reduce' })
     await open(lab, page, article.name)
-    let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
+    const setups = setupsOf(article)
     for (const [at, step] of article.steps.entries()) {
-      if (step.run) setup = changed(setup, step.run)
+      const setup = setups.get(step.name) as UncheckedSetup
       await expect(page.getByTestId('lesson')).toHaveAttribute('data-step', step.name)
       expect(await lab.settled(step.at), step.name).toBe(hashOf(setup, step.at))
       await expect(here(page).locator('.markdown')).not.toContainText(/\{[a-z0-9-]+\}/)

@@ -1,4 +1,5 @@
 import type { Lesson, Question, RunPart, Step } from './format'
+import { changed, NO_RUN, type WholeRun } from './runs'
 
 /*
  * A lesson while it is written: its words are where they are used, and each step has the whole of its run, so that steps can change
@@ -12,7 +13,7 @@ export type DraftQuestion = Worded<Question>
 export interface DraftStep extends Omit<Step, 'title' | 'text' | 'run' | 'question'> {
   title: string
   text: string
-  run: Required<RunPart>
+  run: WholeRun
   question?: DraftQuestion | undefined
 }
 
@@ -57,7 +58,7 @@ export function nameFor(title: string, taken: readonly string[] = []): string {
 const same = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b)
 
 /** What differs from the run of before, as a file has it. */
-function partOf(run: Required<RunPart>, before: Required<RunPart> | undefined): RunPart | undefined {
+function partOf(run: WholeRun, before: WholeRun | undefined): RunPart | undefined {
   if (!before) return run
   const other = run.planner !== before.planner
   const part: RunPart = {
@@ -146,7 +147,7 @@ export function draftOf(lesson: Lesson): Draft {
   } = lesson
   const { [lesson.language]: own = {}, ...others } = texts
   const word = (key: string | undefined): string => (key === undefined ? '' : (own[key] ?? ''))
-  let run: Required<RunPart> = { planner: '', scene: '', params: {}, seed: 1 }
+  let run = NO_RUN
   return {
     ...rest,
     title: word(title),
@@ -157,20 +158,10 @@ export function draftOf(lesson: Lesson): Draft {
     ...(rest.task && { task: { ...rest.task, text: word(rest.task.text) } }),
     ...(rest.experiment && { experiment: { ...rest.experiment, text: word(rest.experiment.text) } }),
     steps: steps.map(({ title: heading, text, run: part, question, ...step }) => {
-      run = wholeRun(run, part)
+      run = changed(run, part)
       return { ...step, title: word(heading), text: word(text), run, ...(question && { question: worded(question, word) }) }
     }),
     others,
-  }
-}
-
-function wholeRun(before: Required<RunPart>, part: RunPart | undefined): Required<RunPart> {
-  const other = part?.planner !== undefined && part.planner !== before.planner
-  return {
-    planner: part?.planner ?? before.planner,
-    scene: part?.scene ?? before.scene,
-    params: part?.params ?? (other ? {} : before.params),
-    seed: part?.seed ?? before.seed,
   }
 }
 

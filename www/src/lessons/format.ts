@@ -180,7 +180,7 @@ const Figure = v.variant('kind', [
     evaluations: optional(whole(1, 1_000_000), 'With so many evaluations each; else to the end.'),
     of: described(
       short,
-      'The median of `cost`, `length`, `gap`, `evaluations` or `iterations`; `feasible`: the share of runs with a valid result.',
+      'The median of `cost`, `length`, `gap`, `evaluations`, `iterations`, `settled`, `reached`, `reached_iteration` or `turns`; `feasible`: the share of runs with a valid result.',
     ),
     ...written,
   }),
@@ -193,7 +193,9 @@ const Figure = v.variant('kind', [
   v.strictObject({
     kind: v.literal('published'),
     reproduction: described(short, 'As in REPRODUCTION.csv.'),
+    table: described(short, 'As in REPRODUCTION.csv.'),
     row: described(short, 'As in REPRODUCTION.csv.'),
+    measure: described(short, 'As in REPRODUCTION.csv.'),
     of: described(
       v.picklist(['published_best', 'published_mean', 'published_std', 'published_runs', 'best', 'mean', 'std', 'median', 'runs']),
       'The column.',

@@ -1,15 +1,16 @@
 import type { Item, TrialRecord, UncheckedSetup } from 'forage-lab'
 import type { Figure, Lesson } from '../lessons/format'
 import { median } from '../lessons/score'
-import { changed, numberOf, type Oracle } from './lesson-truth'
+import { changed, NO_RUN } from '../lessons/runs'
+import { numberOf, type Oracle, setupWith } from './lesson-truth'
 
 /** What runs at each step of a lesson. */
 export function setupsOf({ steps }: Pick<Lesson, 'steps'>): Map<string, UncheckedSetup> {
-  let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
+  let run = NO_RUN
   return new Map(
-    steps.map(({ name, run }) => {
-      setup = run ? changed(setup, run) : setup
-      return [name, setup]
+    steps.map((step) => {
+      run = changed(run, step.run)
+      return [step.name, run as UncheckedSetup]
     }),
   )
 }
@@ -21,7 +22,7 @@ export async function computed(figure: Figure, lesson: Lesson, oracle: Oracle): 
   const setup = setupsOf(lesson).get(figure.step)
   if (!step || !setup) throw new Error(`there is no step ${figure.step}`)
   if (figure.kind === 'seeds') {
-    const records = await oracle.trials(changed(setup, figure.run ?? {}), figure.seeds, figure.evaluations ?? null)
+    const records = await oracle.trials(setupWith(setup, figure.run ?? {}), figure.seeds, figure.evaluations ?? null)
     if (figure.of === 'feasible') return records.filter(({ feasible }: TrialRecord) => feasible).length / records.length
     return median(records.map((record) => numberOf(record, figure.of)))
   }

@@ -1,6 +1,7 @@
 import type { Inspection, Item, Point, TrialRecord, UncheckedSetup } from 'forage-lab'
 import { median, optionAt, pointOf } from '../lessons/score'
 import type { Question, QuestionOf, RunPart } from '../lessons/format'
+import { changed, type WholeRun } from '../lessons/runs'
 
 /** Whom the core's answers come from. */
 export interface Oracle {
@@ -147,7 +148,7 @@ async function ofRun({ of, at, seeds, options }: QuestionOf<'run'>, setup: Unche
 async function compared({ of, options, seeds, evaluations }: QuestionOf<'compare'>, setup: UncheckedSetup, oracle: Oracle): Promise<Truth> {
   const all = await Promise.all(
     options.map(async ({ run }) =>
-      (await oracle.trials(changed(setup, run), seeds, evaluations ?? null)).map((record) => numberOf(record, of)),
+      (await oracle.trials(setupWith(setup, run), seeds, evaluations ?? null)).map((record) => numberOf(record, of)),
     ),
   )
   const medians = all.map((values) => median(values))
@@ -169,13 +170,6 @@ export function numberOf(result: object, of: string): number {
   return value
 }
 
-/** A setup with what a part says otherwise; another planner begins with its standard parameters. */
-export function changed(setup: UncheckedSetup, { planner, scene, params, seed }: RunPart): UncheckedSetup {
-  const other = planner !== undefined && planner !== setup.planner
-  return {
-    planner: planner ?? setup.planner,
-    scene: (scene ?? setup.scene) as UncheckedSetup['scene'],
-    params: params ?? (other ? {} : (setup.params ?? {})),
-    seed: seed ?? setup.seed ?? 0,
-  }
-}
+/** A setup with what a part says otherwise. */
+export const setupWith = ({ params = {}, seed = 0, ...setup }: UncheckedSetup, part: RunPart): UncheckedSetup =>
+  changed({ ...setup, params, seed } as WholeRun, part) as UncheckedSetup

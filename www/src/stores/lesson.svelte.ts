@@ -19,7 +19,7 @@ import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
 import { type Guess, progress } from './lesson-progress.svelte'
 import { setupsOf } from './lesson-figures'
-import { changed, type Truth, truthOf } from './lesson-truth'
+import { setupWith, type Truth, truthOf } from './lesson-truth'
 import type { PlaneCamera } from './page-keys'
 import { stillness } from './theme.svelte'
 
@@ -198,7 +198,7 @@ export class LessonStore {
     const { lab, lesson } = this
     const last = this.setups.at(-1)
     if (!lesson?.task || !last) return
-    const { planner, scene, params } = changed(last, { ...lesson.task, params: lesson.task.params ?? {}, seed: 1 })
+    const { planner, scene, params } = setupWith(last, { ...lesson.task, params: lesson.task.params ?? {}, seed: 1 })
     lab.layers.highlighted = null
     lab.layers.chosen = {}
     lab.openMoment({ planner, scene: this.sceneOf(scene), params, seed: 1, iteration: 0 } as unknown as LinkSetup)

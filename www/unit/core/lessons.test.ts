@@ -7,8 +7,8 @@ import { catalogue } from '../../../pkg/node.js'
 import { lessonsIn } from '../../plugins/lessons'
 import { checkNames } from '../../src/lessons/names'
 import type { Figure, Question } from '../../src/lessons/format'
-import { computed } from '../../src/stores/lesson-figures'
-import { changed, type Truth, truthOf } from '../../src/stores/lesson-truth'
+import { computed, setupsOf } from '../../src/stores/lesson-figures'
+import { type Truth, truthOf } from '../../src/stores/lesson-truth'
 import { number, percent } from '../../src/text/number'
 import { CoreOracle } from './oracle'
 
@@ -24,7 +24,9 @@ const writtenAs = ({ as }: Figure, value: number): string => (as === 'percent' ?
 /** A number of the reproduction's tables. */
 function published(figure: Figure): number {
   if (figure.kind !== 'published') return Number.NaN
-  const found = rows.filter((row) => row.reproduction === figure.reproduction && row.row === figure.row)
+  const found = rows.filter((row) =>
+    (['reproduction', 'table', 'row', 'measure'] as const).every((column) => row[column] === figure[column]),
+  )
   expect(found.length, `${figure.reproduction}: ${figure.row}`).toBe(1)
   return Number(found[0]?.[figure.of] || Number.NaN)
 }
@@ -55,9 +57,9 @@ describe.each(lessons.map((lesson) => [lesson.name, lesson] as const))('%s', (_,
 
   it('shows iterations that its runs have, and asks what the core can answer', async () => {
     const oracle = new CoreOracle()
-    let setup: UncheckedSetup = { planner: '', scene: '', params: {}, seed: 1 }
-    for (const { name, run, at, item, question } of lesson.steps) {
-      if (run) setup = changed(setup, run)
+    const setups = setupsOf(lesson)
+    for (const { name, at, item, question } of lesson.steps) {
+      const setup = setups.get(name) as UncheckedSetup
       const { outcome, inspection } = await oracle.at(setup, at, (item as never) ?? null)
       expect((outcome as { iterations: number }).iterations, name).toBe(at)
       if (item) expect(inspection, `${name} has nothing to explain`).not.toBeNull()
