@@ -14,13 +14,11 @@ import {
   scoreMember,
   scoreNode,
 } from '../lessons/score'
-import { extent } from '../render/view'
 import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
 import { type Guess, progress } from './lesson-progress.svelte'
 import { setupsOf } from './lesson-figures'
 import { setupWith, type Truth, truthOf } from './lesson-truth'
-import type { PlaneCamera } from './page-keys'
 import { stillness } from './theme.svelte'
 
 /** A run moves to its place in so many milliseconds: at least, for each iteration, and at most. */
@@ -212,9 +210,7 @@ export class LessonStore {
   private look({ camera }: Step): void {
     const { picture, scene } = this.lab
     if (!scene.present || scene.present.kind === 'arm') return
-    const { min, max } = extent(scene.present)
-    const whole: PlaneCamera = { center: [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2], zoom: 1 }
-    if (camera || picture.camera) picture.wantedCamera = camera ?? whole
+    if (camera || picture.camera) picture.wantedCamera = camera ?? 'whole'
   }
 
   /** Where a step wants the run: once its question is answered, where the answer is seen. */

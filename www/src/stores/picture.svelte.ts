@@ -14,7 +14,7 @@ export class PictureStore {
   /** What the stage shows of the plane, or from where space is seen; null: all of the scene. */
   camera = $state.raw<Camera | null>(null)
   /** What a link wants it to show, until it does. */
-  wantedCamera = $state.raw<Camera | null>(null)
+  wantedCamera = $state.raw<Camera | 'whole' | null>(null)
   /** What of the newest frame can be pointed at. */
   anchors = $state.raw<Anchors | null>(null)
   /** What the colours of a function's heat map stand for: the first, the middle one and the last. */

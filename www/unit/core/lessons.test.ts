@@ -9,7 +9,7 @@ import { checkNames } from '../../src/lessons/names'
 import type { Figure, Question } from '../../src/lessons/format'
 import { computed, setupsOf } from '../../src/stores/lesson-figures'
 import { type Truth, truthOf } from '../../src/stores/lesson-truth'
-import { number, percent } from '../../src/text/number'
+import { brief, briefPercent } from '../../src/text/brief'
 import { CoreOracle } from './oracle'
 
 const lessons = lessonsIn(fileURLToPath(new URL('../../../lessons', import.meta.url)))
@@ -19,7 +19,7 @@ const { claims: judged } = JSON.parse(readFileSync(`${root}/REPRODUCTION.claims.
 const rows = parse(readFileSync(`${root}/REPRODUCTION.csv`, 'utf8'), { columns: true }) as Record<string, string>[]
 
 /** As the page writes it. */
-const writtenAs = ({ as }: Figure, value: number): string => (as === 'percent' ? percent(value) : number(value))
+const writtenAs = ({ as }: Figure, value: number): string => (as === 'percent' ? briefPercent(value) : brief(value))
 
 /** A number of the reproduction's tables. */
 function published(figure: Figure): number {

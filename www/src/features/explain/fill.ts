@@ -1,3 +1,4 @@
+import { short } from '../../text/brief'
 import { split, superscript } from '../../text/number'
 
 const PLACEHOLDER = /<mtext>@([\w.-]+)@<\/mtext>/g
@@ -29,10 +30,4 @@ function numeral(value: number, follows: boolean): string {
   if (!negative) return power ? `<mrow>${body}</mrow>` : body
   const signed = `<mo form="prefix">−</mo>${body}`
   return follows ? `<mrow><mo stretchy="false">(</mo>${signed}<mo stretchy="false">)</mo></mrow>` : `<mrow>${signed}</mrow>`
-}
-
-/** Without zeros at the end, if the number has no further digits. */
-function short(mantissa: string, value: number): string {
-  const brief = mantissa.replace(/\.?0+$/, '')
-  return mantissa.includes('.') && Number(brief) === Math.abs(value) ? brief : mantissa
 }
