@@ -209,6 +209,27 @@ test('progress is kept in this browser, and can be deleted', async ({ lab, page 
   expect(await page.evaluate(() => localStorage.getItem('forage.lessons'))).toBeNull()
 })
 
+test('answers of before are there, and those of another version are not', async ({ lab, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  const asked = FIRST.steps.filter(({ question }) => question)
+  const [arrow, member] = [
+    asked.find(({ question }) => question?.kind === 'arrow'),
+    asked.find(({ question }) => question?.kind === 'member'),
+  ]
+  const answers = { [arrow?.name ?? '']: { option: 1 }, [member?.name ?? '']: { point: [0, 0] } }
+  await page.addInitScript(
+    ([name, kept]) => localStorage.setItem('forage.lessons', JSON.stringify({ [name as string]: { step: 0, farthest: 7, answers: kept } })),
+    [FIRST.name, answers] as const,
+  )
+  await open(lab, page, FIRST.name)
+  const card = (name: string | undefined) => page.locator(`article[data-step="${name}"]`).getByTestId('prediction')
+  await expect(card(member?.name)).toContainText(text.answered)
+  await expect(card(arrow?.name).getByTestId('predict-answer')).toBeVisible()
+  await lab.open(`#view=learn&lesson=${FIRST.name}&step=${member?.name}`)
+  await expect(card(member?.name)).toHaveAttribute('data-grade', /right|near|off/)
+  await lab.settled((member?.at ?? 0) + 1)
+})
+
 test('an arrow is drawn with the keys alone', async ({ lab, page }) => {
   const at = FIRST.steps.findIndex(({ question }) => question?.kind === 'arrow')
   await lab.open(`#view=learn&lesson=${FIRST.name}&step=${FIRST.steps[at]?.name}`)

@@ -53,6 +53,12 @@ function scoreOf(truth: Truth, guess: Guess): Score | null {
   }
 }
 
+/** Whether an answer is one to this question. */
+function answers(question: Question | undefined, guess: Guess): boolean {
+  if (!question) return false
+  return 'options' in question ? 'option' in guess && guess.option < question.options.length : 'point' in guess
+}
+
 /** A lesson that is read beside a run: its steps put the run where they want it, and the reader may go elsewhere at any time. */
 export class LessonStore {
   lesson = $state.raw<Lesson | null>(null)
@@ -113,7 +119,10 @@ export class LessonStore {
       return known.get(text) ?? setup
     })
     const standing = progress.of(lesson.name)
-    this.answers = standing.answers
+    // Those of another version of the lesson may be answers to nothing.
+    this.answers = Object.fromEntries(
+      Object.entries(standing.answers).filter(([name, guess]) => answers(lesson.steps.find((one) => one.name === name)?.question, guess)),
+    )
     const named = step === undefined ? standing.step : lesson.steps.findIndex(({ name }) => name === step)
     this.go(Math.min(Math.max(named, 0), lesson.steps.length - 1))
   }
@@ -156,8 +165,13 @@ export class LessonStore {
   /** The step that is read; its run is only shown where the reader has not made another one. */
   read = (index: number): void => {
     if (index === this.index || !this.lesson) return
-    if (untrack(() => this.forked)) this.index = index
-    else this.go(index)
+    if (!untrack(() => this.forked)) {
+      this.go(index)
+      return
+    }
+    this.guess = null
+    this.index = index
+    void this.find(index)
   }
 
   /** The run as the step wants it. */
@@ -289,7 +303,10 @@ export class LessonStore {
     const { side } = this
     try {
       const truth = await truthOf(step.question, setup, step.at, side)
-      if (side === this.side) this.truths = { ...this.truths, [step.name]: truth }
+      if (side !== this.side) return
+      this.truths = { ...this.truths, [step.name]: truth }
+      // Which member it is that is to be explained was not known before.
+      if (truth.kind === 'member' && index === this.index && this.answers[step.name] && !this.forked) this.show()
     } catch (error) {
       if (side !== this.side) return
       this.failures = { ...this.failures, [step.name]: error instanceof Error ? error.message : String(error) }

@@ -59,6 +59,7 @@ export const lesson = {
   question: 'Predict',
   answer: 'This is my prediction',
   retry: 'Predict again',
+  answered: 'You have answered this.',
   finding: 'The core computes the answer …',
   failed: (reason: string) => `There is no answer: ${reason}`,
   how: {
