@@ -1,6 +1,6 @@
 import { fileURLToPath } from 'node:url'
 import type { Page } from '@playwright/test'
-import type { Point, Scene, UncheckedSetup } from '../../pkg/node.js'
+import { catalogue, type Point, type Scene, type UncheckedSetup } from '../../pkg/node.js'
 import { lessonsIn } from '../plugins/lessons'
 import type { Lesson, Step } from '../src/lessons/format'
 import { lesson as text } from '../src/locales/en/lesson'
@@ -9,6 +9,7 @@ import { setupsOf } from '../src/stores/lesson-figures'
 import { type Truth, truthOf } from '../src/stores/lesson-truth'
 import { CoreOracle } from '../unit/core/oracle'
 import { violations } from './support/axe'
+import { finished, seeds } from './support/batch'
 import { hashOf, sceneOf, verified } from './support/core'
 import { SITE } from './support/site'
 import { expect, type Lab, test } from './support/lab'
@@ -296,3 +297,34 @@ test('a lesson that there is not is said, and the page is there', async ({ lab, 
   await expect(page.getByRole('alert')).toContainText(text.unknown('nothing'))
   await expect(page.getByTestId('learn-open')).toBeVisible()
 })
+
+for (const { name, steps, experiment } of lessons) {
+  if (!experiment) continue
+  test(`the experiment of ${name} opens in Compare: every planner runs, none is refused or left out`, async ({ lab, page }) => {
+    await lab.open(`#lesson=${name}&step=${steps.at(-1)?.name}`)
+    await page.getByTestId('lesson-compare').click()
+    const asked = new URLSearchParams(experiment.compare.slice(1))
+    const entrants = (asked.get('with') ?? '').split(',')
+    const [first = 0, last = 0] = (asked.get('seeds') ?? '').split('-').map(Number)
+    await expect(page.getByTestId('entrant')).toHaveCount(entrants.length)
+    await expect(page.getByTestId('batch-count')).toHaveValue(String(last - first + 1))
+    for (const [at, entrant] of entrants.entries()) {
+      const [planner, ...changed] = entrant.split(';')
+      const shown = page.getByTestId('entrant').nth(at)
+      await expect(shown).toHaveAttribute('data-planner', planner ?? '')
+      const { parameters = [] } = catalogue().planners.find(({ name }) => name === planner) ?? {}
+      for (const [name = '', value] of changed.map((change) => change.split('='))) {
+        const usual = parameters
+          .filter((parameter) => parameter.name === name)
+          .flatMap(({ default: one, defaults = {} }) => [one, ...Object.values(defaults)])
+        if (!usual.map(String).includes(String(value))) await expect(shown).toContainText(`${name} = ${value}`)
+      }
+    }
+    // What fifty seeds come to is for the reader: two tell whether it runs.
+    await seeds(page, 2)
+    await page.getByTestId('batch-run').click()
+    await finished(page, 2 * entrants.length)
+    await expect(page.getByRole('alert')).toHaveCount(0)
+    await expect(page.getByTestId('batch-summary').locator('tbody tr')).toHaveCount(entrants.length)
+  })
+}

@@ -59,7 +59,7 @@ export class SceneStore {
     this.imported = null
   }
 
-  /** The answer to a request for a scene; null if there is another one meanwhile. */
+  /** The answer to a request for a scene, or what is needed for one; null if there is another one meanwhile: the last request counts. */
   ask = async <T>(ask: () => Promise<T>): Promise<T | null> => {
     const request = this.requests.note('scene')
     const answer = await ask().catch(unlessGone)

@@ -27,15 +27,15 @@ async function take(lab: Lab, files: NamedFile[], problem?: number): Promise<voi
 /** Scenes and maps, each of one file or of two that belong together. */
 export async function importFiles(lab: Lab, files: Iterable<File>): Promise<void> {
   const given = [...files]
-  let named: NamedFile[]
+  let named: NamedFile[] | null
   try {
-    named = await Promise.all(given.map(read))
+    named = await lab.scene.ask(() => Promise.all(given.map(read)))
   } catch {
     // A folder, or a file that has gone meanwhile.
     lab.notices.text = scenes.imported.unreadable(given.map(({ name }) => name).join(', '))
     return
   }
-  await take(lab, named)
+  if (named) await take(lab, named)
 }
 
 /** The ends of another of the problems, in the map as the file has it. */
