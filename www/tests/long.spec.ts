@@ -53,7 +53,7 @@ test('within a step that takes minutes a change takes effect, in the same thread
 })
 
 test('a pause within a long step takes effect at its end', async ({ lab, page }) => {
-  const long = { planner: 'sa', scene: 'random-280', seed: 1, params: { moves: 20_000 } }
+  const long = { planner: 'sa', scene: 'random-280', seed: 1, params: { moves: 100_000 } }
   await lab.open(linkTo(long, 0))
   await lab.settled(0)
   await lab.press(en.transport.play)
