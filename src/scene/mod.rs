@@ -21,7 +21,7 @@ pub mod tour;
 pub(crate) use arm::JOINED;
 pub use arm::{ID as ARM, MAX_CUBOIDS};
 pub use discs::{DiscsScene, ID as DISCS, MAX_DISCS};
-pub use function::{Function, FunctionScene, ID as FUNCTION, MAX_DIMENSION};
+pub use function::{Formula, Function, FunctionScene, ID as FUNCTION, MAX_DIMENSION};
 pub use grid::{CONTACT, GridScene, ID as GRID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot};
 pub use moving::{Leg, MAX_MOVING, MAX_WAYPOINTS, Motion, Moving};
 pub use tour::{ID as TOUR, MAX_STOPS, TourScene};
