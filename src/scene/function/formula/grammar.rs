@@ -62,7 +62,7 @@ impl Fault {
         Self { at, problem, open: false }
     }
 
-    /// The error for the text: places are told in characters, from 1 on.
+    /// The error for the text. It counts characters from 1, not bytes.
     pub fn of(self, text: &str) -> Error {
         let place = text.get(..self.at).unwrap_or(text).chars().count() + 1;
         let problem = self.problem;
@@ -259,7 +259,7 @@ fn number(input: &mut Input<'_>) -> Read<'static, f64> {
         if input.starts_with(|next: char| next.is_ascii_digit()) {
             digits(input)?;
         } else {
-            // `2e` is no number: the name is told where it stands.
+            // `2e` is a number and a name: the error is about the name.
             input.reset(&before);
         }
     }

@@ -63,6 +63,9 @@ impl Formula {
 
     /// The value at `x`, whose length is the number of variables. NaN or infinite where the formula is not defined. `room` is
     /// worked in: the same one again and again costs no allocation.
+    ///
+    /// # Panics
+    /// If `x` has fewer numbers than there are variables.
     pub fn value(&self, x: &[f64], room: &mut Vec<f64>) -> f64 {
         self.program.value(x, room)
     }

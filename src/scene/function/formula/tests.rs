@@ -78,8 +78,8 @@ fn test_functions_by_formula_agree_with_those_built_in() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_place_and_what_could_stand_there() {
-    for (text, dimension, told) in [
+fn errors_name_the_place_and_what_is_expected_there() {
+    for (text, dimension, expected) in [
         ("", 2, "character 1: the formula ends here; expected: a number, a name or ("),
         ("1 +", 2, "character 4: the formula ends here"),
         ("1 + * 2", 2, "character 5: `*` can’t stand here; expected: a number, a name or ("),
@@ -104,7 +104,7 @@ fn what_is_wrong_is_told_with_its_place_and_what_could_stand_there() {
         ("sum(sum(sum(1, i, 1, 1000), j, 1, 1000), k, 1, 1000)", 2, "more than 300000 operations"),
     ] {
         let error = refused(text, dimension);
-        assert!(error.contains(told), "{text}: {error}");
+        assert!(error.contains(expected), "{text}: {error}");
     }
     assert!(refused(&"(".repeat(3000), 1).contains("40 deep"));
     assert!(refused(&format!("1{}", " + 1".repeat(2000)), 1).contains("at most 4096 bytes"));
