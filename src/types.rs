@@ -13,7 +13,7 @@ use crate::{
     follow::{drive::DriveOutcome, motion::MotionOutcome},
     kernel::{Event, Exact, Header, Inspection, Item, Stage, Status, Subtask, SubtaskResult, inspection::Table},
     run::{Outcome, link::Contents, trial::Record},
-    scene::{discs::DiscsScene, formats::Imported, function::FunctionScene, grid::GridScene, tour::TourScene},
+    scene::{discs::DiscsScene, formats::Imported, function::Function, grid::GridScene, tour::TourScene},
     statistics::{Bands, Comparison, Group, Reached},
 };
 
@@ -76,7 +76,56 @@ macro_rules! file {
     };
 }
 
-file!(FunctionFile, "FunctionScene", "'function'", FunctionScene);
+/// A test function by its name.
+#[derive(TS)]
+#[ts(optional_fields)]
+struct NamedFunction {
+    /// The function.
+    function: Function,
+    /// The number of variables.
+    dimension: usize,
+    /// The position of the function's origin, a number for each variable; left out: at 0.
+    shift: Option<Vec<f64>>,
+}
+
+/// A function by formula.
+#[derive(TS)]
+#[ts(optional_fields)]
+struct FormulaFunction {
+    /// The formula, at most 4096 bytes: `sum(x[i]^2)`.
+    expression: String,
+    /// The number of variables.
+    dimension: usize,
+    /// Where the minimum is searched.
+    bounds: Sides,
+    /// The minimum, if it is known, with its position or without.
+    #[ts(type = "number | { value: number; position?: number[] }")]
+    optimum: Option<f64>,
+}
+
+/// The sides of a search box: a number for all of them, or one for each variable.
+#[derive(TS)]
+#[ts(rename = "SearchBounds")]
+struct Sides {
+    /// The least values.
+    #[ts(type = "number | number[]")]
+    min: f64,
+    /// The greatest values.
+    #[ts(type = "number | number[]")]
+    max: f64,
+}
+
+file!(NamedFile, "NamedFunctionScene", "'function'", NamedFunction);
+file!(FormulaFile, "FormulaScene", "'function'", FormulaFunction);
+
+/// A scene with a function to minimise.
+#[derive(TS)]
+#[ts(rename = "FunctionScene", untagged)]
+enum FunctionFile {
+    Named(NamedFile),
+    Formula(FormulaFile),
+}
+
 file!(DiscsFile, "DiscsScene", "'discs'", DiscsScene);
 file!(GridFile, "GridScene", "'grid'", GridScene);
 file!(TourFile, "TourScene", "'tour'", TourScene);

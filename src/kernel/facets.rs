@@ -101,4 +101,8 @@ pub trait Recommend {
 pub trait Failure {
     /// The reason for having no result, if there is one: a sentence without a full stop.
     fn failure(&self, status: Status) -> Option<Message>;
+    /// The position at which a cost could not be computed, if that is the reason.
+    fn failed_at(&self) -> Option<&[f64]> {
+        None
+    }
 }

@@ -14,6 +14,7 @@ pub mod json;
 pub mod limits;
 pub mod message;
 mod nowhere;
+pub mod objective;
 mod optimum;
 pub(crate) mod part;
 mod planner;
@@ -38,7 +39,7 @@ pub use inspection::{Inspection, Item, Label, Mark, Quantity};
 #[doc(hidden)]
 pub use message::inventory;
 pub use message::{Argument, Message, Sentence, words};
-pub use optimum::Exact;
+pub use optimum::{Exact, Minimum};
 pub use part::Part;
 pub use planner::{CloneBox, Planner, Progress};
 pub use readings::{ReadingName, Readings};

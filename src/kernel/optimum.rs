@@ -30,3 +30,31 @@ impl Exact {
         Self { length, path, tip_path: Vec::new(), order: Vec::new(), stored: false }
     }
 }
+
+/// The least value of a function.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Minimum {
+    /// The value.
+    pub value: f64,
+    /// Whether somebody stated it, in a scene file, and it was not proved.
+    pub stated: bool,
+}
+
+impl From<f64> for Minimum {
+    /// One that is proved.
+    fn from(value: f64) -> Self {
+        Self { value, stated: false }
+    }
+}
+
+impl Minimum {
+    /// Minima are stated with a few digits: by this share of it (or of 1, if it is less) another value may differ from one.
+    pub fn rounding(self) -> f64 {
+        1e-4 * self.value.abs().max(1.0)
+    }
+
+    /// Whether a cost shows that it is none: lower by more than rounding explains.
+    pub fn is_refuted_by(self, cost: f64) -> bool {
+        self.stated && cost < self.value - self.rounding()
+    }
+}

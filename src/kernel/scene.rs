@@ -11,7 +11,7 @@ use serde_json::Value;
 use crate::{geometry::Bounds, message};
 
 use super::{
-    Error, Exact, Message, ReferenceOptimum, Solution, TourEnds, json,
+    Error, Exact, Message, Minimum, ReferenceOptimum, Solution, TourEnds, json,
     scene_body::{Plane, SceneBody, SceneKindId, Verdict},
 };
 
@@ -192,14 +192,14 @@ impl Scene {
         by_rule[ends.map_or(0, |ends| 1 + ends as usize)].get_or_init(|| optimum(self, reference, ends)).as_ref()
     }
 
-    /// The minimum of a test function; `None` for other kinds.
-    pub fn minimum(&self) -> Option<f64> {
+    /// The minimum of a function; `None` for other kinds, and where it is not known.
+    pub fn minimum(&self) -> Option<Minimum> {
         self.body.minimum()
     }
 
-    /// The exact optimum: the shortest length by a rule, or the minimum of a test function.
+    /// The exact optimum: the shortest length by a rule, or the minimum of a function.
     pub fn optimum(&self, reference: ReferenceOptimum) -> Option<f64> {
-        self.minimum().or_else(|| self.exact_by(reference).map(|exact| exact.length))
+        self.minimum().map(|minimum| minimum.value).or_else(|| self.exact_by(reference).map(|exact| exact.length))
     }
 
     /// Measures and checks a solution.

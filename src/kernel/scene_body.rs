@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::geometry::{Bounds, Disc, ObstacleField, YAxis};
 
-use super::{Error, Message, Solution};
+use super::{Error, Message, Minimum, Solution};
 
 /// The id of a scene kind: the name that scene files use, e.g. `grid`. Entries list the kinds that they are for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -80,8 +80,8 @@ pub trait SceneBody: Any + Send + Sync {
         Stops { field: "stops", places: Vec::new() }
     }
 
-    /// The minimum of a test function; `None` for other kinds.
-    fn minimum(&self) -> Option<f64> {
+    /// The minimum of a function; `None` for other kinds, and where it is not known.
+    fn minimum(&self) -> Option<Minimum> {
         None
     }
 

@@ -17,6 +17,8 @@ pub enum Status {
     Exhausted,
     /// There is no solution, or none was found.
     Infeasible,
+    /// Something could not be computed, e.g. a cost that is no number: the run's failure says what and where.
+    Failed,
 }
 
 /// A part of a run with its own kind of step.

@@ -19,16 +19,22 @@ pub struct HeatMap {
 
 /// The function over `view` as `width` × `height` RGBA pixels, top row first, in these colours from the lowest value to the highest: by
 /// rank, so that every part of a landscape shows its shape, however steep the rest; lines between levels, lighter than colours that end
-/// dark and darker than others. `None` for scenes without a height.
+/// dark and darker than others. Where the function has no finite value it is transparent. `None` for scenes without a height, and where
+/// none is finite.
 pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, colors: &[Rgba]) -> Option<HeatMap> {
     let function = scene.get::<FunctionScene>().ok()?;
-    let mut x = function.minimiser();
     let at = |i: usize, n: usize, axis: usize| view.min[axis] + (i as f64 + 0.5) / n as f64 * (view.max[axis] - view.min[axis]);
-    let mut values = Vec::with_capacity(width * height);
-    for row in (0..height).rev() {
-        values.extend((0..width).map(|column| function.section([at(column, width, 0), at(row, height, 1)], &mut x)));
+    let mut values = vec![0.0; width * height];
+    let mut points = Vec::with_capacity(width);
+    for (row, values) in (0..height).rev().zip(values.chunks_exact_mut(width.max(1))) {
+        points.clear();
+        points.extend((0..width).map(|column| [at(column, width, 0), at(row, height, 1)]));
+        function.section(&points, values);
     }
     let heights = equalise(&mut values);
+    if !heights[0].is_finite() {
+        return None;
+    }
     let ends_dark = colors.last().is_some_and(|color| color[..3].iter().map(|&channel| u32::from(channel)).sum::<u32>() < 3 * 128);
     let contrast = if ends_dark { 1.25 } else { 0.86 };
     let mut pixels = Vec::with_capacity(4 * values.len());
@@ -37,6 +43,10 @@ pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, colors
         let right = if (i + 1) % width == 0 { t } else { values[i + 1] };
         let below = values.get(i + width).copied().unwrap_or(t);
         let line = level(t) != level(right) || level(t) != level(below);
+        if t.is_nan() {
+            pixels.extend([0; 4]);
+            continue;
+        }
         let [r, g, b, opacity] = color_at(colors, t);
         let shade = if line { contrast } else { 1.0 };
         pixels.extend([r, g, b].map(|channel| (channel * shade).min(255.0) as u8));
@@ -46,21 +56,26 @@ pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, colors
 }
 
 /// Replaces values by the share of values that are lower (0 to 1), by a histogram over the logarithm of the height. Returns
-/// the lowest value, the one in the middle of the shares, and the highest.
+/// the lowest value, the one in the middle of the shares, and the highest. What is not finite becomes NaN.
 fn equalise(values: &mut [f64]) -> [f64; 3] {
     const BINS: usize = 4096;
-    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+    let finite = |v: &&f64| v.is_finite();
+    let (low, high) = values.iter().filter(finite).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
     let scale = ((high - low) * 1e-5).max(f64::MIN_POSITIVE);
     let whole = math::ln(1.0 + (high - low) / scale).max(f64::MIN_POSITIVE);
     let place = |v: f64| math::ln(1.0 + (v - low) / scale) / whole * (BINS - 1) as f64;
     let mut count = vec![0_u32; BINS + 1];
-    values.iter().for_each(|&v| count[place(v) as usize + 1] += 1);
+    values.iter().filter(finite).for_each(|&v| count[place(v) as usize + 1] += 1);
     for bin in 0..BINS {
         count[bin + 1] += count[bin];
     }
-    let total = values.len().max(1) as f64;
+    let total = f64::from(count[BINS].max(1));
     let (mut middle, mut off) = (low, f64::INFINITY);
     for v in values.iter_mut() {
+        if !v.is_finite() {
+            *v = f64::NAN;
+            continue;
+        }
         // Half by rank and half by height: rank alone would make a plain of a valley.
         let at = place(*v);
         let bin = at as usize;

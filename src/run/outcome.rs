@@ -72,6 +72,9 @@ pub struct Outcome {
     /// What keeps the planner from a result, if something does.
     #[cfg_attr(feature = "types", ts(optional, rename = "trouble", as = "Option<String>"))]
     pub failure: Option<Message>,
+    /// Where a cost could not be computed, if that is the reason.
+    #[cfg_attr(feature = "types", ts(optional))]
+    pub failed_at: Option<Vec<f64>>,
     /// What happened in simulated time, and what was decided and why.
     #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<Event>>"))]
     pub events: Vec<Event>,
@@ -132,6 +135,9 @@ impl Serialize for Outcome {
         if let Some(failure) = &self.failure {
             out.serialize_field("trouble", failure)?;
         }
+        if let Some(position) = &self.failed_at {
+            out.serialize_field("failed_at", position)?;
+        }
         if !self.events.is_empty() {
             out.serialize_field("events", &self.events)?;
         }
@@ -171,6 +177,11 @@ impl Run {
     fn failure(&self) -> Option<Message> {
         self.at.planner.facets().failure?.failure(self.status())
     }
+
+    /// Where a cost could not be computed.
+    fn failed_at(&self) -> Option<Vec<f64>> {
+        self.at.planner.facets().failure?.failed_at().map(<[f64]>::to_vec)
+    }
 }
 
 impl Outcome {
@@ -183,7 +194,11 @@ impl Outcome {
         let (exact, exact_by) = match run.exact() {
             Some(exact) if exact.stored && length.is_some_and(|length| length < exact.length) => (None, ReferenceOptimum::Refuted),
             Some(exact) => (Some(exact.length), if exact.stored { ReferenceOptimum::Stored } else { run.reference }),
-            None => (run.scene.minimum(), run.reference),
+            None => match run.scene.minimum() {
+                Some(minimum) if best.as_ref().is_some_and(|best| minimum.is_refuted_by(best.cost)) => (None, ReferenceOptimum::Refuted),
+                Some(minimum) => (Some(minimum.value), if minimum.stated { ReferenceOptimum::Stored } else { run.reference }),
+                None => (None, run.reference),
+            },
         };
         let nodes = best.as_ref().map_or(0, |best| best.solution.corners());
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
@@ -227,6 +242,7 @@ impl Outcome {
             position,
             readings,
             failure: run.failure(),
+            failed_at: run.failed_at(),
             events: run.events().to_vec(),
             tuned: run.at.planner.facets().recommend.and_then(Recommend::recommendation),
             deterministic: !digest.is_random(),

@@ -99,7 +99,7 @@ impl Trial {
             return Err(Error::refused("within", within, message!("run-within", "from 0 to 1000000, a share of the exact optimum")));
         }
         let mut run = Run::with_keyframes(registry, setup, 0)?;
-        let exact = run.exact().map(|exact| exact.length).or_else(|| run.scene().minimum());
+        let exact = run.exact().map(|exact| exact.length).or_else(|| run.scene().minimum().map(|minimum| minimum.value));
         run.curve();
         Ok(Self { run, within, exact })
     }
@@ -135,7 +135,11 @@ impl Trial {
     /// Iterations and evaluations when the best was near enough.
     fn reached(&mut self) -> Option<[u64; 2]> {
         let exact = self.exact?;
-        let most = if exact > 0.0 { exact * (1.0 + self.within) } else { exact + self.within };
+        let most = match exact {
+            0.0 => self.within,
+            _ if exact > 0.0 => exact * (1.0 + self.within),
+            _ => exact * (1.0 - self.within),
+        };
         self.run.curve().iter().find(|best| best.value <= most).map(|best| [best.iteration, best.evaluations])
     }
 
@@ -143,7 +147,7 @@ impl Trial {
     pub fn record(&mut self) -> Record {
         let parameters = self.run.parameters().changed().clone();
         let outcome = self.run.outcome();
-        let found = outcome.feasible && outcome.cost.is_some();
+        let found = outcome.feasible && outcome.cost.is_some() && outcome.status != Status::Failed;
         let settled =
             outcome.readings.iter().find(|(name, _)| *name == SETTLED.name).map(|(_, value)| *value).filter(|value| value.is_finite());
         // A stored optimum that a result refutes was none.

@@ -168,8 +168,7 @@ impl Bats {
         if self.population.is_under_way() {
             return Progress::Partly;
         }
-        self.population.settle();
-        self.clock.tick(self.population.bests())
+        self.population.end(&mut self.clock)
     }
 
     /// (7) to (9), or a walk about the best. Reading: velocities are limited, positions are kept in the box, and a coordinate
@@ -226,7 +225,7 @@ impl Planner for Bats {
     }
 
     fn facets(&self) -> Facets<'_> {
-        Facets::default().explain(self)
+        Facets::default().explain(self).failure(&self.population)
     }
 }
 

@@ -134,8 +134,7 @@ impl Nests {
         if self.population.is_under_way() {
             return Progress::Partly;
         }
-        self.population.settle();
-        self.clock.tick(self.population.bests())
+        self.population.end(&mut self.clock)
     }
 
     fn try_flight<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
@@ -228,7 +227,7 @@ impl Planner for Nests {
     }
 
     fn facets(&self) -> Facets<'_> {
-        Facets::default().explain(self)
+        Facets::default().explain(self).failure(&self.population)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::{
 };
 
 use super::{
-    objective::{FunctionObjective, Objective},
+    objective::Objective,
     paths::{ENCODING, Encoding},
     polar::Polar,
     terrain::Terrain,
@@ -32,7 +32,7 @@ pub(super) fn start(start: &Start, on: fn(Arc<dyn Objective>, &Parameters, u64) 
 /// A grid without start and goal.
 pub(super) fn objective(scene: &Scene, settings: &Parameters) -> Result<Arc<dyn Objective>, Error> {
     if let Ok(function) = scene.get::<FunctionScene>() {
-        return Ok(Arc::new(FunctionObjective::new(function)));
+        return Ok(Arc::clone(function.objective()));
     }
     let terrain = if let Ok(discs) = scene.get::<DiscsScene>() {
         Terrain::among_discs(discs, settings)

@@ -63,6 +63,9 @@ pub struct Swarm {
     /// Where a particle stood before the hen moved it, should the jump not count.
     #[state(skip)]
     held: Vec<f64>,
+    /// What particles cost before they were evaluated.
+    #[state(skip)]
+    before: Vec<f64>,
     pub(super) patience: Vec<Patience>,
     /// What moved each particle in this iteration.
     pub(super) events: Vec<Event>,
@@ -116,6 +119,7 @@ impl Swarm {
             v_max,
             per_particle: settings[PER_PARTICLE],
             held: vec![0.0; population.dimension],
+            before: Vec::new(),
             patience: vec![Patience::default(); size],
             events: vec![Event::Move; size],
             flight,
@@ -131,21 +135,35 @@ impl Swarm {
     pub(super) fn iterate(&mut self, watch: &mut dyn Watch) -> Progress {
         self.coefficients = self.flight.schedule.at(self.clock.iteration, self.clock.limit);
         let perturbation = self.flight.perturbation;
+        let [instead, after] = [Timing::Instead, Timing::After].map(|timing| perturbation.filter(|p| p.timing == timing));
         let watched = watch.particle();
-        for i in self.population.next_part(1) {
+        let part = self.population.next_part(1);
+        // Who flew and was not evaluated yet: nothing in a flight depends on what others found in this iteration.
+        let mut flown = part.start;
+        for i in part.clone() {
             if watched == Some(i) {
+                self.evaluate_flown(flown..i);
+                flown = i;
                 watch.begins(self);
             }
-            let before = self.population.cost[i];
-            self.events[i] =
-                perturbation.filter(|p| p.timing == Timing::Instead).map_or(Event::Move, |p| self.patience[i].next(p.patience));
-            match (self.events[i], perturbation) {
-                (Event::Hen | Event::Chick, Some(perturbation)) => self.jump(i, perturbation, watched, watch),
-                _ if watched == Some(i) => self.fly(i, watch),
-                _ => self.fly(i, &mut ()),
+            self.events[i] = instead.map_or(Event::Move, |p| self.patience[i].next(p.patience));
+            if let (Event::Hen | Event::Chick, Some(perturbation)) = (self.events[i], instead) {
+                self.evaluate_flown(flown..i);
+                flown = i + 1;
+                let before = self.population.cost[i];
+                self.jump(i, perturbation, watched, watch);
+                self.patience[i].note(before, self.population.cost[i]);
+                continue;
             }
-            self.patience[i].note(before, self.population.cost[i]);
-            if let Some(perturbation) = perturbation.filter(|p| p.timing == Timing::After) {
+            if watched == Some(i) {
+                self.fly(i, watch);
+            } else {
+                self.fly(i, &mut ());
+            }
+            if let Some(perturbation) = after {
+                let before = self.population.cost[i];
+                self.evaluate_flown(flown..i + 1);
+                flown = i + 1;
                 self.events[i] = self.patience[i].next(perturbation.patience);
                 if self.events[i] != Event::Move {
                     self.jump(i, perturbation, watched, watch);
@@ -153,14 +171,24 @@ impl Swarm {
                 }
             }
         }
+        self.evaluate_flown(flown..part.end);
         if self.population.is_under_way() {
             return Progress::Partly;
         }
-        self.population.settle();
-        self.clock.tick(self.population.bests())
+        self.population.end(&mut self.clock)
     }
 
-    /// (6) and (7), and the evaluation. Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
+    /// Evaluates particles that flew, and counts whether their costs rise.
+    fn evaluate_flown(&mut self, flown: std::ops::Range<usize>) {
+        self.before.clear();
+        self.before.extend(&self.population.cost[flown.clone()]);
+        self.population.evaluate_all(flown.clone());
+        for (i, before) in flown.zip(&self.before) {
+            self.patience[i].note(*before, self.population.cost[i]);
+        }
+    }
+
+    /// (6) and (7). Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
     #[inline]
     fn fly<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
         let Coefficients { w, c1, c2 } = self.coefficients;
@@ -181,7 +209,6 @@ impl Swarm {
             x[j] = clamp(reached, low[j], high[j]);
             v[j] = if x[j] == reached { step } else { 0.0 };
         }
-        self.population.evaluate(i);
     }
 
     /// Moves a stagnating particle by the equation that is due, and evaluates it.
@@ -323,7 +350,7 @@ impl Planner for Swarm {
     }
 
     fn facets(&self) -> Facets<'_> {
-        Facets::default().explain(self)
+        Facets::default().explain(self).failure(&self.population)
     }
 }
 

@@ -52,7 +52,6 @@ mod encoding;
 mod explain;
 mod flight;
 mod levy;
-pub mod objective;
 mod parameters;
 mod paths;
 pub mod perturbation;
@@ -68,6 +67,7 @@ pub mod waypoints;
 pub mod wcpso;
 pub mod wpso;
 
+pub use crate::kernel::objective;
 pub use flight::{Flight, Swarm};
 pub use parameters::{FLIGHT, ITERATIONS, POPULATION};
 pub use paths::EARLY_STOP;

@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Layer, Reading, layers},
-    kernel::{Candidate, Part, Readings, State, rng::Stream},
+    kernel::{Candidate, Failure, Message, Part, Progress, Readings, State, Status, digits::Digits, rng::Stream},
+    message,
 };
 
 use super::{
-    objective::{Objective, Scratch},
+    clock::Clock,
+    objective::{Evaluation, Objective, Scratch},
     parameters::{BEST, FREE, GUIDES, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
 };
 
@@ -23,6 +25,12 @@ pub struct Population {
     pub(super) objective: Arc<dyn Objective>,
     #[state(skip)]
     scratch: Scratch,
+    /// What was evaluated at once.
+    #[state(skip)]
+    found: Vec<Evaluation>,
+    /// The first position whose cost the objective refused, which ends the run, and that cost; none: empty.
+    #[state(skip)]
+    refused: Vec<f64>,
     #[state(shared)]
     pub(super) size: usize,
     #[state(shared)]
@@ -78,6 +86,8 @@ impl Population {
         let mut population = Self {
             objective,
             scratch: Scratch::default(),
+            found: Vec::new(),
+            refused: Vec::new(),
             size,
             dimension,
             p: vec![0.0; size * dimension],
@@ -92,13 +102,18 @@ impl Population {
             part: Part::default(),
         };
         let mut left = MOST_REDRAWS;
+        let redraws = population.objective.redraws() > 0;
         for i in 0..size {
             let row = population.row(i);
-            if first(i, &mut population.x[row], rng) {
-                population.evaluate(i);
-            } else {
-                population.draw_particle(i, rng, &mut left);
+            match (first(i, &mut population.x[row.clone()], rng), redraws) {
+                (true, true) => drop(population.evaluate(i)),
+                (false, true) => population.draw_particle(i, rng, &mut left),
+                (true, false) => {}
+                (false, false) => population.objective.draw(&mut population.x[row], rng),
             }
+        }
+        if !redraws {
+            population.evaluate_all(0..size);
         }
         // Where no cost is a number, bests are positions all the same.
         for i in (0..size).filter(|&i| population.p_cost[i] == f64::INFINITY) {
@@ -174,20 +189,48 @@ impl Population {
     /// Evaluates particle `i` where it is now, keeps its personal best and returns how much it violates.
     #[inline]
     pub fn evaluate(&mut self, i: usize) -> f64 {
+        let found = self.objective.evaluate(&self.x[self.row(i)], &mut self.scratch);
+        self.note(i, found);
+        found.violation
+    }
+
+    /// Evaluates these particles where they are now, all at once, and keeps their personal bests: the same as one after the other, and faster
+    /// for some objectives.
+    pub fn evaluate_all(&mut self, of: std::ops::Range<usize>) {
+        let rows = of.start * self.dimension..of.end * self.dimension;
+        self.found.resize(self.found.len().max(of.len()), Evaluation::from(0.0));
+        self.objective.evaluate_all(&self.x[rows], &mut self.scratch, &mut self.found[..of.len()]);
+        for i in of.clone() {
+            self.note(i, self.found[i - of.start]);
+        }
+    }
+
+    /// What particle `i`'s position came to.
+    #[inline]
+    fn note(&mut self, i: usize, found: Evaluation) {
         let row = self.row(i);
-        let x = &self.x[row.clone()];
-        let found = self.objective.evaluate(x, &mut self.scratch);
         self.evaluations += 1;
         self.cost[i] = found.cost;
         if found.cost < self.p_cost[i] {
             self.p_cost[i] = found.cost;
-            self.p[row].copy_from_slice(x);
+            self.p[row.clone()].copy_from_slice(&self.x[row.clone()]);
         }
         if found.violation == 0.0 && found.cost < self.free_cost {
             self.free_cost = found.cost;
-            self.free.copy_from_slice(x);
+            self.free.copy_from_slice(&self.x[row]);
         }
-        found.violation
+        if !found.cost.is_finite() {
+            self.refuse(i);
+        }
+    }
+
+    /// A cost that is no number, or infinite.
+    #[cold]
+    fn refuse(&mut self, i: usize) {
+        if self.refused.is_empty() && self.objective.refuses(self.cost[i]) {
+            self.refused.extend(&self.x[self.row(i)]);
+            self.refused.push(self.cost[i]);
+        }
     }
 
     /// Which particles are moved next, in passes over all of them: all, or as many as can be waited for. See [`Part`].
@@ -213,6 +256,18 @@ impl Population {
             let row = self.row(i);
             self.g.copy_from_slice(&self.p[row]);
         }
+    }
+
+    /// Whether the run can go on: not after a cost that the objective refuses.
+    pub fn progress(&self) -> Progress {
+        if self.refused.is_empty() { Progress::Continue } else { Progress::Done(Status::Failed) }
+    }
+
+    /// Ends an iteration of a run that stops by this clock.
+    pub(super) fn end(&mut self, clock: &mut Clock) -> Progress {
+        self.settle();
+        let progress = clock.tick(self.bests());
+        if self.refused.is_empty() { progress } else { self.progress() }
     }
 
     /// The position that is reported, with its cost: the cheapest without penalty, or else the cheapest.
@@ -252,6 +307,27 @@ impl Population {
             out.push(FREE, if self.free_cost.is_finite() { self.free_cost } else { f64::NAN });
         }
         self.objective.read(self.reported().1, out);
+    }
+}
+
+/// So many coordinates of a position are said.
+const SAID: usize = 6;
+
+impl Failure for Population {
+    fn failure(&self, _status: Status) -> Option<Message> {
+        let (&cost, x) = self.refused.split_last()?;
+        let mut position: Vec<_> = x.iter().take(SAID).map(|x| Digits(*x).to_string()).collect();
+        position.extend((x.len() > SAID).then(|| "…".to_owned()));
+        let position = position.join(", ");
+        Some(if cost.is_nan() {
+            message!("swarm-cost-nan", "the function’s value at ({position}) is not a number", position)
+        } else {
+            message!("swarm-cost-infinite", "the function’s value at ({position}) is infinite", position)
+        })
+    }
+
+    fn failed_at(&self) -> Option<&[f64]> {
+        self.refused.split_last().map(|(_, x)| x)
     }
 }
 

@@ -99,7 +99,7 @@ impl Terrain {
     pub(super) fn measure(&self, points: impl Iterator<Item = [f64; 2]>, scratch: &mut Scratch) -> Measures {
         let mut sum = Measures { length: 0.0, squares: 0.0, violation: 0.0 };
         // All corners are written before any is read: a load that waits for a store made just before costs a fifth of the run.
-        let Scratch { path, pieces } = scratch;
+        let Scratch { path, pieces, .. } = scratch;
         path.clear();
         path.push(self.start);
         path.extend(points);

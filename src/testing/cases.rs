@@ -52,7 +52,7 @@ fn shows(case: &Case, run: &mut Run) -> Checked {
     run.step(1);
     let outcome = run.outcome();
     let there = match run.scene().minimum() {
-        Some(minimum) => outcome.cost.is_some_and(|cost| cost - minimum < 1e-9),
+        Some(minimum) => outcome.cost.is_some_and(|cost| cost - minimum.value < 1e-9),
         None => outcome.feasible && outcome.gap.is_some_and(|gap| gap < 1e-9),
     };
     ensure(!there, AT_ONCE, || format!("the case `{}`: iteration 1 has the optimum", case.name))

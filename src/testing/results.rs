@@ -23,8 +23,7 @@ const FINITE: &str = "Report finite coordinates only.";
 const ENDS: &str = "Let a path have at least two corners, the scene's start first and its goal last, to the last bit.";
 const TOUR: &str = "Let a tour's order have each stop once, with the ends that it declares, and its path lead through them.";
 const INSIDE: &str = "Report a position with one coordinate for each variable, within the function's box.";
-const FEASIBLE: &str =
-    "End with `Status::Solved` only if the best solution is feasible (`scene.judge`), and with `Status::Infeasible` only if it is not.";
+const FEASIBLE: &str = "End with `Status::Solved` only if the best solution is feasible (`scene.judge`), and with `Status::Infeasible` only if it is not; with `Status::Failed` give the reason.";
 const EXACT: &str = "Declare the optimum that results are measured against by `Started::measured_by`: none can be shorter.";
 const LIMIT: &str = "Use the value of `iterations` as the limit in `Started::new`, and never return `Progress::Done(Status::Running)`.";
 const OPEN: &str = "Declare by `Started::open_ended` that a run may end before its limit.";
@@ -88,9 +87,10 @@ fn solution(stops: bool, scene: &Scene, best: &Candidate) -> Checked {
     let wrong = |what: &str| Err(Fault::new(KIND, format!("on a scene of kind {} the solution is {what}", scene.kind().name())));
     if let Ok(function) = scene.get::<FunctionScene>() {
         let Solution::Position(position) = &best.solution else { return wrong("no position") };
-        let side = function.function.half_side();
-        let inside = position.len() == function.dimension && position.iter().all(|x| x.abs() <= side);
-        return ensure(inside, INSIDE, || format!("the position is {position:?}, in a box from -{side} to {side}"));
+        let (low, high) = (function.search_box().low(), function.search_box().high());
+        let inside =
+            position.len() == low.len() && position.iter().zip(low.iter().zip(high)).all(|(x, (low, high))| (low..=high).contains(&x));
+        return ensure(inside, INSIDE, || format!("the position is {position:?}, in a box from {low:?} to {high:?}"));
     }
     if let Ok(arm) = scene.get::<ArmScene>() {
         let Solution::Reach { path, .. } = &best.solution else { return wrong("no path of the tip") };
@@ -138,6 +138,7 @@ fn end(run: &mut Run) -> Checked {
         Status::Solved => found || drives,
         Status::Infeasible => !found,
         Status::Running | Status::Exhausted => true,
+        Status::Failed => outcome.failure.is_some(),
     };
     ensure(right, FEASIBLE, || {
         format!("the run ends as {:?}, and its result is {}feasible", outcome.status, if found { "" } else { "not " })

@@ -76,7 +76,7 @@ pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read
 /// The kind and the size of a scene.
 pub(super) fn describe(scene: &Scene) -> String {
     let sizes = if let Ok(function) = scene.get::<FunctionScene>() {
-        vec![count(function.dimension, "variable")]
+        vec![count(function.dimension(), "variable")]
     } else if let Ok(discs) = scene.get::<DiscsScene>() {
         vec![count(discs.discs.len(), "obstacle")]
     } else if let Ok(grid) = scene.get::<GridScene>() {

@@ -13,14 +13,14 @@ use forage::{
     describe::{Color, Entry, Formula, Glyph, Group, Layer, Look, Reading, SceneKind, Start, layers},
     geometry::Bounds,
     kernel::{
-        Backdrop, Candidate, Explain, Facets, Inspection, Item, LayerKey, Mark, Planner, Progress, Readings, SceneBody, SceneKindId, Shape,
-        Solution, Started, State, Verdict, rng::Stream,
+        Backdrop, Candidate, Explain, Facets, Inspection, Item, LayerKey, Mark, Minimum, Planner, Progress, Readings, SceneBody,
+        SceneKindId, Shape, Solution, Started, State, Verdict, rng::Stream,
     },
     label, message,
     params::Param,
     scene::{FUNCTION, FunctionScene},
     swarm::{
-        objective::{Evaluation, FunctionObjective, Objective, Scratch, SearchBox},
+        objective::{Evaluation, Objective, Scratch, SearchBox},
         wcpso,
     },
 };
@@ -91,15 +91,15 @@ impl SceneBody for HimmelblauScene {
         draw(Backdrop::Border(self.view()));
     }
 
-    fn minimum(&self) -> Option<f64> {
-        Some(0.0)
+    fn minimum(&self) -> Option<Minimum> {
+        Some(Minimum::from(0.0))
     }
 }
 
 /// What a scene asks to be minimised: ours, or one of the test functions that ship.
 fn objective(scene: &Scene) -> Result<Arc<dyn Objective>, Error> {
     match scene.get::<FunctionScene>() {
-        Ok(function) => Ok(Arc::new(FunctionObjective::new(function))),
+        Ok(function) => Ok(Arc::clone(function.objective())),
         Err(_) => Ok(Arc::new(Himmelblau(SearchBox::cube(2, -5.0, 5.0)?))),
     }
 }

@@ -1,232 +1,145 @@
-//! Scenes of kind `function`: the test functions of [WCPSO](crate#papers) Table 1, and Rastrigin from [LTQPSO](crate#papers).
+//! Scenes of kind `function`: a function over a box, and what is known of its minimum.
 
-use std::f64::consts::{E, TAU};
+use std::{fmt, sync::Arc};
+
+use serde_json::Value;
 
 use crate::{
     geometry::Bounds,
-    kernel::{Error, SceneKindId},
-    math, message,
+    kernel::{
+        Error, Minimum, SceneKindId,
+        objective::{Evaluation, Objective, Scratch, SearchBox},
+    },
 };
+
+use super::named::{Function, Named};
 
 /// The id of the kind in scene files.
 pub const ID: SceneKindId = SceneKindId("function");
 
-/// The largest dimension of a function.
-pub const MAX_DIMENSION: usize = 100;
-
-/// A test function to minimise. Each has the minimum 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "TestFunction", rename_all = "kebab-case"))]
-pub enum Function {
-    /// f1, D = 2, minimum at 0.
-    Matyas,
-    /// f2, D = 2, minimum at 0.
-    EggCrate,
-    /// f3, minimum at 0.
-    Sphere,
-    /// f4, minimum at (1, …, 1).
-    Rosenbrock,
-    /// f5, minimum at 0.
-    Ackley,
-    /// f6, minimum at 0.
-    Rastrigin,
-}
-
-impl Function {
-    /// All functions, in the order of the table.
-    pub const ALL: [Self; 6] = [Self::Matyas, Self::EggCrate, Self::Sphere, Self::Rosenbrock, Self::Ackley, Self::Rastrigin];
-
-    /// The name that scene files use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Matyas => "matyas",
-            Self::EggCrate => "egg-crate",
-            Self::Sphere => "sphere",
-            Self::Rosenbrock => "rosenbrock",
-            Self::Ackley => "ackley",
-            Self::Rastrigin => "rastrigin",
-        }
-    }
-
-    /// Half the side of the search box, which is centred on 0.
-    pub const fn half_side(self) -> f64 {
-        match self {
-            Self::Matyas => 10.0,
-            Self::EggCrate => TAU,
-            Self::Sphere => 100.0,
-            Self::Rosenbrock => 4.0,
-            Self::Ackley => 32.0,
-            Self::Rastrigin => 5.12,
-        }
-    }
-
-    /// The dimensions it is defined in, both ends included.
-    pub const fn dimensions(self) -> (usize, usize) {
-        match self {
-            Self::Matyas | Self::EggCrate => (2, 2),
-            Self::Rosenbrock => (2, MAX_DIMENSION),
-            Self::Sphere | Self::Ackley | Self::Rastrigin => (1, MAX_DIMENSION),
-        }
-    }
-
-    /// The value of every coordinate at the minimum.
-    pub const fn minimiser(self) -> f64 {
-        if matches!(self, Self::Rosenbrock) { 1.0 } else { 0.0 }
-    }
-
-    /// The function's value at `x`, whose length is the dimension.
-    #[inline]
-    pub fn value(self, x: &[f64]) -> f64 {
-        match self {
-            Self::Matyas => 0.26 * (x[0] * x[0] + x[1] * x[1]) - 0.48 * x[0] * x[1],
-            Self::EggCrate => {
-                let (a, b) = (math::sin(x[0]), math::sin(x[1]));
-                x[0] * x[0] + x[1] * x[1] + 25.0 * (a * a + b * b)
-            }
-            Self::Sphere => x.iter().map(|x| x * x).sum(),
-            Self::Rosenbrock => x
-                .windows(2)
-                .map(|w| {
-                    let (curve, slope) = (w[1] - w[0] * w[0], 1.0 - w[0]);
-                    100.0 * curve * curve + slope * slope
-                })
-                .sum(),
-            Self::Ackley => {
-                let n = x.len() as f64;
-                let squares: f64 = x.iter().map(|x| x * x).sum();
-                let cosines = math::sum_cos_turns(x);
-                -20.0 * math::exp(-0.2 * (squares / n).sqrt()) - math::exp(cosines / n) + 20.0 + E
-            }
-            Self::Rastrigin => x.iter().map(|&x| x * x - 10.0 * math::cos_turns(x) + 10.0).sum(),
-        }
-    }
-}
-
-/// A scene with a test function to minimise.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+/// A scene with a function to minimise: one with a name, a formula, or an [`Objective`] of your own.
+///
+/// ```
+/// use forage::scene::{Function, FunctionScene};
+///
+/// let scene = FunctionScene::named(Function::Rosenbrock, 3, vec![0.5, 0.0, -1.0]);
+/// assert_eq!((scene.value(&[1.5, 1.0, 0.0]), scene.minimiser()), (0.0, Some(vec![1.5, 1.0, 0.0])));
+/// assert_eq!(scene.search_box().low(), [-4.0, -4.0, -4.0]);
+/// ```
+#[derive(Clone)]
 pub struct FunctionScene {
-    /// The function.
-    pub function: Function,
-    /// The number of variables.
-    pub dimension: usize,
-    /// The position of the function's origin, a number for each variable; empty: at 0.
-    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<f64>>"))]
-    pub shift: Vec<f64>,
+    objective: Arc<dyn Objective>,
+    pub(super) source: Source,
+}
+
+/// Where a function comes from, and what is known of its minimum.
+#[derive(Debug, Clone)]
+pub(super) enum Source {
+    Named(Arc<Named>),
+    /// Its fields in the order in which they are written.
+    Written {
+        fields: Vec<(&'static str, Value)>,
+        minimum: Option<Minimum>,
+        minimiser: Option<Vec<f64>>,
+    },
+}
+
+impl fmt::Debug for FunctionScene {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FunctionScene").field("source", &self.source).finish_non_exhaustive()
+    }
 }
 
 impl FunctionScene {
+    /// A test function in so many variables. `shift` is the position of its origin, a number for each variable; empty: at 0.
+    /// A dimension or a shift that the function does not have is refused when a [`Scene`](crate::Scene) is made of it.
+    pub fn named(function: Function, dimension: usize, shift: Vec<f64>) -> Self {
+        let named = Arc::new(Named::new(function, dimension, shift));
+        Self { objective: Arc::<Named>::clone(&named), source: Source::Named(named) }
+    }
+
+    /// A function with these fields in a scene file.
+    pub(super) fn written(
+        objective: Arc<dyn Objective>,
+        fields: Vec<(&'static str, Value)>,
+        minimum: Option<Minimum>,
+        minimiser: Option<Vec<f64>>,
+    ) -> Self {
+        Self { objective, source: Source::Written { fields, minimum, minimiser } }
+    }
+
     pub(super) fn check_fields(&self) -> Result<(), Error> {
-        let (low, high) = self.function.dimensions();
-        if !(low..=high).contains(&self.dimension) {
-            let function = self.function.name();
-            let allowed = if low == high {
-                message!("scene-dimension", "{low} for {function}", low, function)
-            } else {
-                message!("scene-dimensions", "a whole number from {low} to {high} for {function}", low, high, function)
-            };
-            return Err(Error::refused("dimension", self.dimension, allowed));
-        }
-        if ![0, self.dimension].contains(&self.shift.len()) {
-            return Err(Error::refused("shift", self.shift.len(), message!("scene-shift", "a number for each variable")));
-        }
-        let inside = |shift: &&f64| (self.function.minimiser() + **shift).abs() <= self.function.half_side();
-        match self.shift.iter().find(|shift| !inside(shift)) {
-            Some(shift) => {
-                let allowed = message!("scene-shift-inside", "so small that the minimum stays in the search box");
-                Err(Error::refused("shift", *shift, allowed))
-            }
-            None => Ok(()),
+        match &self.source {
+            Source::Named(named) => named.check(),
+            Source::Written { .. } => Ok(()),
         }
     }
 
-    /// The position of the minimum.
-    pub fn minimiser(&self) -> Vec<f64> {
-        (0..self.dimension).map(|i| self.function.minimiser() + self.shift.get(i).unwrap_or(&0.0)).collect()
+    /// What is minimised.
+    pub fn objective(&self) -> &Arc<dyn Objective> {
+        &self.objective
+    }
+
+    /// Where its minimum is searched.
+    pub fn search_box(&self) -> &SearchBox {
+        self.objective.search_box()
+    }
+
+    /// The number of variables.
+    pub fn dimension(&self) -> usize {
+        self.search_box().dimension()
+    }
+
+    /// The test function that it is, if it is one.
+    pub fn function(&self) -> Option<Function> {
+        match &self.source {
+            Source::Named(named) => Some(named.function),
+            Source::Written { .. } => None,
+        }
+    }
+
+    /// The position of the minimum, if it is known.
+    pub fn minimiser(&self) -> Option<Vec<f64>> {
+        match &self.source {
+            Source::Named(named) => Some(named.minimiser()),
+            Source::Written { minimiser, .. } => minimiser.clone(),
+        }
+    }
+
+    pub(super) fn minimum(&self) -> Option<Minimum> {
+        match &self.source {
+            Source::Named(_) => Some(Minimum::from(0.0)),
+            Source::Written { minimum, .. } => *minimum,
+        }
     }
 
     /// The value at `x`, whose length is the dimension.
-    #[inline]
     pub fn value(&self, x: &[f64]) -> f64 {
-        let moved;
-        let x = if self.shift.is_empty() {
-            x
-        } else {
-            moved = self.moved(x);
-            &moved[..x.len()]
-        };
-        self.function.value(x)
+        self.objective.evaluate(x, &mut Scratch::default()).cost
     }
 
-    /// `x` without the shift.
-    #[cold]
-    fn moved(&self, x: &[f64]) -> [f64; MAX_DIMENSION] {
-        let mut moved = [0.0; MAX_DIMENSION];
-        moved.iter_mut().zip(x.iter().zip(&self.shift)).for_each(|(moved, (x, shift))| *moved = x - shift);
-        moved
-    }
-
-    pub(super) fn search_box(&self) -> Bounds {
-        let side = self.function.half_side();
-        Bounds { min: [-side, -side], max: [side, side] }
-    }
-
-    /// The value over the plane of the first two variables, the others at the minimum.
-    /// `x` must hold the minimum on entry and is left with its first two changed.
-    pub fn section(&self, point: [f64; 2], x: &mut [f64]) -> f64 {
-        for (variable, value) in x.iter_mut().zip(point) {
-            *variable = value;
+    /// The values at points of the plane of the first two variables, into `out`; the others are at the minimum, or in the middle of the box if
+    /// it is not known.
+    pub fn section(&self, points: &[[f64; 2]], out: &mut [f64]) {
+        let search_box = self.search_box();
+        let middle = || search_box.low().iter().zip(search_box.high()).map(|(low, high)| f64::midpoint(*low, *high)).collect();
+        let rest = self.minimiser().unwrap_or_else(middle);
+        let mut xs = Vec::with_capacity(points.len() * rest.len());
+        for point in points {
+            let at = xs.len();
+            xs.extend(&rest);
+            xs[at..].iter_mut().zip(point).for_each(|(x, value)| *x = *value);
         }
-        self.value(x)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn close(value: f64, expected: f64) {
-        assert!((value - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{value} is not {expected}");
+        let mut found = vec![Evaluation::from(0.0); points.len()];
+        self.objective.evaluate_all(&xs, &mut Scratch::default(), &mut found);
+        out.iter_mut().zip(found).for_each(|(out, found)| *out = found.cost);
     }
 
-    #[test]
-    fn values_agree_with_those_computed_by_hand() {
-        close(Function::Matyas.value(&[3.0, -2.0]), 0.26 * 13.0 + 0.48 * 6.0); // 6.26
-        close(Function::EggCrate.value(&[std::f64::consts::FRAC_PI_2, 0.0]), 25.0 + 2.467_401_100_272_339_7);
-        close(Function::Sphere.value(&[1.0, -2.0, 3.0]), 14.0);
-        close(Function::Rosenbrock.value(&[2.0, 3.0, -1.0]), 100.0 + 1.0 + 100.0 * 100.0 + 4.0);
-        // 20 (1 - e^-0.2) + e - e^1 at (1, 1): the cosines are 1.
-        close(Function::Ackley.value(&[1.0, 1.0]), 20.0 * (1.0 - 0.818_730_753_077_981_8));
-        close(Function::Ackley.value(&[0.5]), 20.0 * (1.0 - 0.904_837_418_035_959_6) + E - 0.367_879_441_171_442_33);
-        close(Function::Rastrigin.value(&[1.0, 0.5]), 1.0 + 0.25 + 20.0);
-    }
-
-    #[test]
-    fn each_minimum_is_zero_where_it_is_said_to_be() {
-        for function in Function::ALL {
-            for dimension in [function.dimensions().0, function.dimensions().1.min(10)] {
-                let value = function.value(&vec![function.minimiser(); dimension]);
-                // Ackley's is one rounding of 20 + e off, as the paper's table prints it.
-                let expected = if function == Function::Ackley { 8.881_784_197_001_252e-16 } else { 0.0 };
-                assert!(value.abs() <= expected, "{} in {dimension} dimensions: {value:e}", function.name());
-            }
-        }
-    }
-
-    #[test]
-    fn dimensions_outside_the_table_are_refused() {
-        let refused = |function, dimension| FunctionScene { function, dimension, shift: Vec::new() }.check_fields().is_err();
-        assert!(refused(Function::Matyas, 3) && refused(Function::Rosenbrock, 1) && refused(Function::Sphere, 0));
-        assert!(refused(Function::Sphere, MAX_DIMENSION + 1) && !refused(Function::Sphere, 1));
-    }
-
-    #[test]
-    fn a_shift_moves_the_minimum_and_keeps_it_in_the_search_box() {
-        let scene = |shift: &[f64]| FunctionScene { function: Function::Rosenbrock, dimension: 2, shift: shift.to_vec() };
-        let moved = scene(&[-3.0, 2.5]);
-        assert_eq!((moved.check_fields(), moved.minimiser()), (Ok(()), vec![-2.0, 3.5]));
-        assert_eq!((moved.value(&[-2.0, 3.5]), moved.value(&[-1.0, 5.5])), (0.0, Function::Rosenbrock.value(&[2.0, 3.0])));
-        assert!(scene(&[3.5, 0.0]).check_fields().unwrap_err().to_string().contains("search box"));
-        assert!(scene(&[0.0]).check_fields().unwrap_err().to_string().contains("a number for each"));
+    /// The first two sides of the search box; a single one twice, about 0.
+    pub(super) fn view(&self) -> Bounds {
+        let (low, high) = (self.search_box().low(), self.search_box().high());
+        let half = (high[0] - low[0]) / 2.0;
+        let [bottom, top] = [low.get(1).copied().unwrap_or(-half), high.get(1).copied().unwrap_or(half)];
+        Bounds { min: [low[0], bottom], max: [high[0], top] }
     }
 }

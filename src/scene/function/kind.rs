@@ -7,16 +7,22 @@ use serde_json::Value;
 use crate::{
     describe::SceneKind,
     geometry::Bounds,
-    kernel::{Error, SceneBody, SceneKindId, Solution, Verdict, words},
+    kernel::{Error, Minimum, SceneBody, SceneKindId, Solution, Verdict, words},
 };
 
 use super::{
-    body::{FunctionScene, ID},
-    read,
+    body::{FunctionScene, ID, Source},
+    formula, read,
 };
 
-/// The kind `function`: test functions to minimise.
+/// The kind `function`: functions to minimise, by name and by formula.
 pub const KIND: SceneKind = SceneKind {
+    read: |fields| Ok(Arc::new(if fields.has(formula::FIELD) { formula::read(fields)? } else { read::read(fields)? })),
+    ..NAMED
+};
+
+/// The same without functions by formula, for a build that leaves out what compiles them.
+pub const NAMED: SceneKind = SceneKind {
     id: ID,
     title: words("test functions"),
     read: |fields| Ok(Arc::new(read::read(fields)?)),
@@ -53,14 +59,17 @@ impl SceneBody for FunctionScene {
     }
 
     fn view(&self) -> Bounds {
-        self.search_box()
+        FunctionScene::view(self)
     }
 
     fn write(&self, out: &mut Vec<(&'static str, Value)>) {
-        read::write(self, out);
+        match &self.source {
+            Source::Named(named) => named.write(out),
+            Source::Written { fields, .. } => out.extend(fields.iter().cloned()),
+        }
     }
 
-    fn minimum(&self) -> Option<f64> {
-        Some(0.0)
+    fn minimum(&self) -> Option<Minimum> {
+        FunctionScene::minimum(self)
     }
 }

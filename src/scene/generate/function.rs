@@ -51,5 +51,5 @@ fn draw(parameters: &Parameters, seed: u64) -> Draft {
     let reach = REACH * (function.half_side() - function.minimiser());
     let shift = (0..dimension).map(|_| stream.between(-reach, reach)).collect();
     let size = format!("{}-{dimension}", function.name());
-    Draft::new(FunctionScene { function, dimension, shift }, size)
+    Draft::new(FunctionScene::named(function, dimension, shift), size)
 }

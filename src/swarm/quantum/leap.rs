@@ -115,23 +115,24 @@ impl Quantum {
             self.width = self.alpha.at(self.clock.iteration, self.clock.limit);
             self.prepare();
         }
-        for i in self.population.next_part(1) {
+        let part = self.population.next_part(1);
+        for i in part.clone() {
             if watched == Some(i) {
                 watch.begins(self);
                 self.leap(i, watch);
             } else {
                 self.leap(i, &mut ());
             }
-            self.population.evaluate(i);
         }
+        self.population.evaluate_all(part);
         if self.population.is_under_way() {
             return Progress::Partly;
         }
-        self.population.settle();
+        let progress = self.population.end(&mut self.clock);
         if self.adaptive.is_some_and(|parts| parts.selection) {
             self.select();
         }
-        self.clock.tick(self.population.bests())
+        progress
     }
 
     /// What is the same for all particles of an iteration: mean best, evolution speed, dispersion.

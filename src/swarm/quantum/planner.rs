@@ -59,7 +59,7 @@ impl Planner for Quantum {
     }
 
     fn facets(&self) -> Facets<'_> {
-        Facets::default().explain(self)
+        Facets::default().explain(self).failure(&self.population)
     }
 }
 

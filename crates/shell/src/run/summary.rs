@@ -67,6 +67,7 @@ fn status(status: Status) -> &'static str {
         Status::Solved => "solved",
         Status::Exhausted => "completed",
         Status::Infeasible => "infeasible",
+        Status::Failed => "failed",
     }
 }
 

@@ -17,7 +17,7 @@ use crate::{
 use super::program::Pair;
 
 /// The field of a scene that a formula is in.
-pub(super) const FIELD: &str = "expression";
+pub const FIELD: &str = "expression";
 
 /// How deep brackets, calls and choices may lie within each other.
 const DEEPEST: usize = 40;

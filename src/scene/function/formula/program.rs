@@ -143,94 +143,180 @@ pub(super) struct Program {
     pub value: From,
 }
 
-/// Numbers to work on: one for all, or as many as there are results.
+/// Numbers to work on: results are of so many terms, each of so many positions (`lanes`).
 #[derive(Clone, Copy)]
 enum Operand<'a> {
+    /// One number for all.
+    One(f64),
+    /// One for each position, the same for all terms.
+    Lanes(&'a [f64]),
+    /// One for each term, the same for all positions.
+    Terms(&'a [f64]),
+    /// One for each position of each term.
+    All(&'a [f64]),
+}
+
+/// So many numbers are worked on before the next positions are: what fits into the fastest memory.
+const AT_ONCE: usize = 3000;
+/// The most positions that are worked on at once.
+const MOST_LANES: usize = 128;
+
+/// What a program works in.
+struct Desk<'a> {
+    lanes: usize,
+    /// The variables, each of all positions.
+    x: &'a [f64],
+}
+
+impl Program {
+    /// The values at positions of `dimension` numbers, one after the other in `xs`, which `out` is given in their order.
+    pub fn values(&self, xs: &[f64], dimension: usize, room: &mut Vec<f64>, mut out: impl FnMut(f64)) {
+        let most = (AT_ONCE / (self.room + dimension)).clamp(1, MOST_LANES);
+        let most = most.min(xs.len() / dimension).max(1);
+        let needed = most * (self.room + dimension);
+        if room.len() < needed {
+            room.resize(needed, 0.0);
+        }
+        for xs in xs.chunks(most * dimension) {
+            let lanes = xs.len() / dimension;
+            let (x, results) = room.split_at_mut(lanes * dimension);
+            for (lane, position) in xs.chunks_exact(dimension).enumerate() {
+                for (x, &at) in x[lane..].iter_mut().step_by(lanes).zip(position) {
+                    *x = at;
+                }
+            }
+            let desk = Desk { lanes, x };
+            for step in &self.steps {
+                let (before, out) = results.split_at_mut(step.at * lanes);
+                self.carry_out(step, &desk, before, &mut out[..step.count * lanes]);
+            }
+            let value = self.operand(self.value, &desk, results, 1);
+            (0..lanes).for_each(|lane| out(value.at(0, lane, lanes)));
+        }
+    }
+
+    fn operand<'a>(&'a self, from: From, desk: &Desk<'a>, results: &'a [f64], count: usize) -> Operand<'a> {
+        let lanes = desk.lanes;
+        match from {
+            From::Constant(value) => Operand::One(value),
+            From::Variable(at) => Operand::Lanes(&desk.x[at * lanes..(at + 1) * lanes]),
+            From::Result(at) => Operand::Lanes(&results[at * lanes..(at + 1) * lanes]),
+            From::Constants(at) => Operand::Terms(&self.constants[at..at + count]),
+            From::Variables(at) => Operand::All(&desk.x[at * lanes..(at + count) * lanes]),
+            From::Results(at) => Operand::All(&results[at * lanes..(at + count) * lanes]),
+        }
+    }
+
+    fn carry_out(&self, step: &Step, desk: &Desk<'_>, before: &[f64], out: &mut [f64]) {
+        let lanes = desk.lanes;
+        let operand = |from| self.operand(from, desk, before, step.count);
+        match step.act {
+            Act::Gather(at) => {
+                for (out, &index) in out.chunks_exact_mut(lanes).zip(&self.indices[at..]) {
+                    out.copy_from_slice(&desk.x[index * lanes..(index + 1) * lanes]);
+                }
+            }
+            Act::One(of, a) => one(out, lanes, operand(a), of.of),
+            Act::Add(a, b) => two(out, lanes, operand(a), operand(b), |a, b| a + b),
+            Act::Subtract(a, b) => two(out, lanes, operand(a), operand(b), |a, b| a - b),
+            Act::Multiply(a, b) => two(out, lanes, operand(a), operand(b), |a, b| a * b),
+            Act::Divide(a, b) => two(out, lanes, operand(a), operand(b), |a, b| a / b),
+            Act::Two(of, a, b) => two(out, lanes, operand(a), operand(b), of.of),
+            Act::Choose(condition, a, b) => {
+                let (condition, a, b) = (operand(condition), operand(a), operand(b));
+                for (term, out) in out.chunks_exact_mut(lanes).enumerate() {
+                    for (lane, out) in out.iter_mut().enumerate() {
+                        *out = if condition.at(term, lane, lanes) == 0.0 { b.at(term, lane, lanes) } else { a.at(term, lane, lanes) };
+                    }
+                }
+            }
+            Act::Sum(from, count) => fold(out, self.operand(from, desk, before, count), count, 0.0, |sum, term| sum + term),
+            Act::Product(from, count) => fold(out, self.operand(from, desk, before, count), count, 1.0, |product, factor| product * factor),
+        }
+    }
+}
+
+impl<'a> Operand<'a> {
+    fn at(self, term: usize, lane: usize, lanes: usize) -> f64 {
+        match self {
+            Self::One(value) => value,
+            Self::Lanes(values) => values[lane],
+            Self::Terms(values) => values[term],
+            Self::All(values) => values[term * lanes + lane],
+        }
+    }
+
+    /// The numbers of one term: one number, or one for each position.
+    fn of_term(self, term: usize, lanes: usize) -> Row<'a> {
+        match self {
+            Self::One(value) => Row::One(value),
+            Self::Terms(values) => Row::One(values[term]),
+            Self::Lanes(values) => Row::Many(values),
+            Self::All(values) => Row::Many(&values[term * lanes..(term + 1) * lanes]),
+        }
+    }
+
+    /// The numbers of all terms, where they lie like the results.
+    fn flat(self, terms: usize, lanes: usize) -> Option<Row<'a>> {
+        match self {
+            Self::One(value) => Some(Row::One(value)),
+            Self::All(values) => Some(Row::Many(values)),
+            Self::Lanes(values) if terms == 1 => Some(Row::Many(values)),
+            Self::Terms(values) if lanes == 1 => Some(Row::Many(values)),
+            Self::Lanes(values) if lanes == 1 => Some(Row::One(values[0])),
+            Self::Lanes(_) | Self::Terms(_) => None,
+        }
+    }
+}
+
+/// One number, or one for each result.
+#[derive(Clone, Copy)]
+enum Row<'a> {
     One(f64),
     Many(&'a [f64]),
 }
 
-impl Program {
-    /// The value at `x`.
-    pub fn value(&self, x: &[f64], room: &mut Vec<f64>) -> f64 {
-        room.resize(self.room.max(room.len()), 0.0);
-        for step in &self.steps {
-            let (before, out) = room.split_at_mut(step.at);
-            self.carry_out(step, x, before, &mut out[..step.count]);
-        }
-        match self.operand(self.value, x, room, 1) {
-            Operand::One(value) => value,
-            Operand::Many(values) => values[0],
-        }
+/// The results of each term, joined for each position. From the first term to the last: the order decides the bits.
+#[inline]
+fn fold(out: &mut [f64], terms: Operand<'_>, count: usize, begin: f64, join: impl Fn(f64, f64) -> f64) {
+    let lanes = out.len();
+    if lanes == 1
+        && let Some(Row::Many(values)) = terms.flat(count, 1)
+    {
+        out[0] = values.iter().fold(begin, |all, &value| join(all, value));
+        return;
     }
-
-    fn operand<'a>(&'a self, from: From, x: &'a [f64], results: &'a [f64], count: usize) -> Operand<'a> {
-        match from {
-            From::Constant(value) => Operand::One(value),
-            From::Variable(at) => Operand::One(x[at]),
-            From::Result(at) => Operand::One(results[at]),
-            From::Constants(at) => Operand::Many(&self.constants[at..at + count]),
-            From::Variables(at) => Operand::Many(&x[at..at + count]),
-            From::Results(at) => Operand::Many(&results[at..at + count]),
-        }
-    }
-
-    fn carry_out(&self, step: &Step, x: &[f64], before: &[f64], out: &mut [f64]) {
-        let count = out.len();
-        let operand = |from| self.operand(from, x, before, count);
-        match step.act {
-            Act::Gather(at) => {
-                for (out, &index) in out.iter_mut().zip(&self.indices[at..]) {
-                    *out = x[index];
-                }
-            }
-            Act::One(of, a) => one(out, operand(a), of.of),
-            Act::Add(a, b) => two(out, operand(a), operand(b), |a, b| a + b),
-            Act::Subtract(a, b) => two(out, operand(a), operand(b), |a, b| a - b),
-            Act::Multiply(a, b) => two(out, operand(a), operand(b), |a, b| a * b),
-            Act::Divide(a, b) => two(out, operand(a), operand(b), |a, b| a / b),
-            Act::Two(of, a, b) => two(out, operand(a), operand(b), of.of),
-            Act::Choose(condition, a, b) => {
-                let (condition, a, b) = (operand(condition), operand(a), operand(b));
-                for (i, out) in out.iter_mut().enumerate() {
-                    *out = if condition.at(i) == 0.0 { b.at(i) } else { a.at(i) };
-                }
-            }
-            Act::Sum(from, count) => out[0] = self.operand(from, x, before, count).fold(count, 0.0, |sum, term| sum + term),
-            Act::Product(from, count) => out[0] = self.operand(from, x, before, count).fold(count, 1.0, |product, factor| product * factor),
+    out.fill(begin);
+    for term in 0..count {
+        match terms.of_term(term, lanes) {
+            Row::One(value) => out.iter_mut().for_each(|out| *out = join(*out, value)),
+            Row::Many(values) => out.iter_mut().zip(values).for_each(|(out, &value)| *out = join(*out, value)),
         }
     }
 }
 
-impl Operand<'_> {
-    fn at(self, i: usize) -> f64 {
-        match self {
-            Self::One(value) => value,
-            Self::Many(values) => values[i],
-        }
-    }
-
-    fn fold(self, count: usize, begin: f64, join: impl Fn(f64, f64) -> f64) -> f64 {
-        match self {
-            Self::One(value) => (0..count).fold(begin, |all, _| join(all, value)),
-            Self::Many(values) => values.iter().fold(begin, |all, &value| join(all, value)),
-        }
-    }
-}
-
-fn one(out: &mut [f64], a: Operand, of: fn(f64) -> f64) {
-    match a {
-        Operand::One(a) => out.fill(of(a)),
-        Operand::Many(a) => out.iter_mut().zip(a).for_each(|(out, &a)| *out = of(a)),
+fn one(out: &mut [f64], lanes: usize, a: Operand<'_>, of: fn(f64) -> f64) {
+    let row = |out: &mut [f64], a: Row<'_>| match a {
+        Row::One(a) => out.fill(of(a)),
+        Row::Many(a) => out.iter_mut().zip(a).for_each(|(out, &a)| *out = of(a)),
+    };
+    match a.flat(out.len() / lanes, lanes) {
+        Some(a) => row(out, a),
+        None => out.chunks_exact_mut(lanes).enumerate().for_each(|(term, out)| row(out, a.of_term(term, lanes))),
     }
 }
 
 #[inline]
-fn two(out: &mut [f64], a: Operand, b: Operand, of: impl Fn(f64, f64) -> f64) {
-    match (a, b) {
-        (Operand::One(a), Operand::One(b)) => out.fill(of(a, b)),
-        (Operand::One(a), Operand::Many(b)) => out.iter_mut().zip(b).for_each(|(out, &b)| *out = of(a, b)),
-        (Operand::Many(a), Operand::One(b)) => out.iter_mut().zip(a).for_each(|(out, &a)| *out = of(a, b)),
-        (Operand::Many(a), Operand::Many(b)) => out.iter_mut().zip(a.iter().zip(b)).for_each(|(out, (&a, &b))| *out = of(a, b)),
+fn two(out: &mut [f64], lanes: usize, a: Operand<'_>, b: Operand<'_>, of: impl Fn(f64, f64) -> f64) {
+    let row = |out: &mut [f64], a: Row<'_>, b: Row<'_>| match (a, b) {
+        (Row::One(a), Row::One(b)) => out.fill(of(a, b)),
+        (Row::One(a), Row::Many(b)) => out.iter_mut().zip(b).for_each(|(out, &b)| *out = of(a, b)),
+        (Row::Many(a), Row::One(b)) => out.iter_mut().zip(a).for_each(|(out, &a)| *out = of(a, b)),
+        (Row::Many(a), Row::Many(b)) => out.iter_mut().zip(a.iter().zip(b)).for_each(|(out, (&a, &b))| *out = of(a, b)),
+    };
+    let terms = out.len() / lanes;
+    match (a.flat(terms, lanes), b.flat(terms, lanes)) {
+        (Some(a), Some(b)) => row(out, a, b),
+        _ => out.chunks_exact_mut(lanes).enumerate().for_each(|(term, out)| row(out, a.of_term(term, lanes), b.of_term(term, lanes))),
     }
 }

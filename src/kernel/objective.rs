@@ -2,14 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::{
-    kernel::{
-        Error, Frame, Readings, Solution, State,
-        error::{finite, list_of},
-        rng::Stream,
-    },
-    math, message,
-    scene::FunctionScene,
+use crate::{math, message};
+
+use super::{
+    Error, Frame, Readings, Solution, State,
+    error::{finite, list_of},
+    rng::Stream,
 };
 
 /// The box in which positions are searched, and what it allows.
@@ -65,7 +63,7 @@ impl SearchBox {
     }
 
     /// A box whose sides follow from a scene, which was checked.
-    pub(super) fn of(sides: impl Iterator<Item = [f64; 2]>) -> Self {
+    pub(crate) fn of(sides: impl Iterator<Item = [f64; 2]>) -> Self {
         let (low, high): (Vec<_>, Vec<_>) = sides.map(|[low, high]| (low, high)).unzip();
         Self { low: low.into(), high: high.into() }
     }
@@ -105,7 +103,7 @@ impl SearchBox {
 }
 
 /// A position's cost.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub struct Evaluation {
     /// What is minimised, penalty included.
     pub cost: f64,
@@ -129,6 +127,16 @@ pub trait Objective: Send + Sync {
     /// NaN or infinite never becomes a best one. Called once per particle and iteration; should not allocate, but for `scratch`,
     /// which is re-used from call to call.
     fn evaluate(&self, x: &[f64], scratch: &mut Scratch) -> Evaluation;
+    /// The costs of many positions, one after the other in `xs`, into `out`: to the bit what [`Objective::evaluate`] says of each.
+    fn evaluate_all(&self, xs: &[f64], scratch: &mut Scratch, out: &mut [Evaluation]) {
+        for (x, out) in xs.chunks_exact(self.search_box().dimension()).zip(out) {
+            *out = self.evaluate(x, scratch);
+        }
+    }
+    /// Whether this cost ends a run with [`Status::Failed`](super::Status): NaN and infinity where the objective is defined everywhere.
+    fn refuses(&self, _cost: f64) -> bool {
+        false
+    }
     /// Draws a position before the first iteration, uniformly in the search box unless there is a better way.
     fn draw(&self, x: &mut [f64], rng: &mut Stream) {
         self.search_box().draw(x, rng);
@@ -188,43 +196,19 @@ pub struct Scratch {
     pub path: Vec<[f64; 2]>,
     /// Pieces of a segment.
     pub pieces: Vec<[f64; 2]>,
+    /// Intermediate results.
+    pub numbers: Vec<f64>,
 }
 
 impl Default for Scratch {
     /// Room for the corners of a path, and for as many pieces as a segment usually meets obstacles.
     fn default() -> Self {
-        Self { path: Vec::with_capacity(64), pieces: Vec::with_capacity(64) }
-    }
-}
-
-/// A test function of [WCPSO](crate#papers) Table 1 on its box.
-#[derive(Debug, Clone)]
-pub struct FunctionObjective {
-    scene: FunctionScene,
-    search_box: SearchBox,
-}
-
-impl FunctionObjective {
-    /// The scene's function in the scene's dimension.
-    pub fn new(scene: &FunctionScene) -> Self {
-        let side = scene.function.half_side();
-        let search_box = SearchBox::of(std::iter::repeat_n([-side, side], scene.dimension));
-        Self { scene: scene.clone(), search_box }
-    }
-}
-
-impl Objective for FunctionObjective {
-    fn search_box(&self) -> &SearchBox {
-        &self.search_box
-    }
-
-    fn evaluate(&self, x: &[f64], _scratch: &mut Scratch) -> Evaluation {
-        self.scene.value(x).into()
+        Self { path: Vec::with_capacity(64), pieces: Vec::with_capacity(64), numbers: Vec::new() }
     }
 }
 
 /// A letter with a number below it, e.g. `x₁₂`.
-pub(super) fn subscripted(letter: char, number: usize) -> String {
+pub(crate) fn subscripted(letter: char, number: usize) -> String {
     let digits = number.to_string().chars().filter_map(|d| char::from_u32(d as u32 - '0' as u32 + '₀' as u32)).collect::<String>();
     format!("{letter}{digits}")
 }
