@@ -29,7 +29,7 @@ use super::{
         V_MAX_ABSOLUTE,
     },
     paths::{CHARGED, ENCODED},
-    population::Population,
+    population::{Held, Population},
     sheet,
 };
 
@@ -64,9 +64,9 @@ struct Bats {
     lambda: f64,
     /// The mean loudness before the step that led here.
     mean_loudness: f64,
-    /// Where a bat was before it moved.
+    /// Where bats were before they moved.
     #[state(skip)]
-    held: Vec<f64>,
+    held: Held,
     rng: Stream,
     clock: Clock,
 }
@@ -125,7 +125,7 @@ pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> St
         epsilon: settings[EPSILON],
         lambda: settings[LAMBDA],
         mean_loudness: settings[A0],
-        held: vec![0.0; population.dimension],
+        held: Held::new(&population),
         rng,
         clock: Clock::new(settings, population.bests()),
         population,
@@ -142,9 +142,9 @@ impl Bats {
         }
         let t = (self.clock.iteration + 1) as f64;
         let fading = 1.0 - math::exp(-self.lambda * t);
-        for i in self.population.next_part(1) {
-            let (row, before) = (self.population.row(i), self.population.cost[i]);
-            self.held.copy_from_slice(&self.population.x[row.clone()]);
+        let part = self.population.next_part(1);
+        self.held.hold(&self.population, part.clone());
+        for i in part.clone() {
             if watched == Some(i) {
                 watch.begins(self);
             }
@@ -154,16 +154,18 @@ impl Bats {
             } else {
                 self.fly(i, walked, &mut ());
             }
-            self.population.evaluate(i);
-            let accepted = self.rng.unit() < self.loudness[i] && self.population.cost[i] <= before;
+            self.last[i] = Last { walked, accepted: self.rng.unit() < self.loudness[i] };
+        }
+        self.population.evaluate_all(part.clone());
+        for i in part {
+            let accepted = self.last[i].accepted && self.population.cost[i] <= self.held.cost(i);
+            self.last[i].accepted = accepted;
             if accepted {
                 self.loudness[i] *= self.epsilon; // (10)
                 self.pulse_rate[i] *= fading; // (11)
             } else {
-                self.population.x[row].copy_from_slice(&self.held);
-                self.population.cost[i] = before;
+                self.held.put_back(&mut self.population, i);
             }
-            self.last[i] = Last { walked, accepted };
         }
         if self.population.is_under_way() {
             return Progress::Partly;

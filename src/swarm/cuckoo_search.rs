@@ -13,7 +13,7 @@
 #[cfg(test)]
 mod tests;
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 use crate::{
     describe::{Case, Entry, Formula, Group, Layer, Preset, ROAD, Reading, layers},
@@ -30,7 +30,7 @@ use super::{
     objective::Objective,
     parameters::{BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
     paths::{CHARGED, ENCODED},
-    population::Population,
+    population::{Held, Population},
     sheet::{self, OTHER_NUMBERS, arrows, mark, particle, quantities, sheet},
 };
 
@@ -54,7 +54,7 @@ struct Nests {
     before: Vec<f64>,
     /// Where a nest was before it was tried.
     #[state(skip)]
-    held: Vec<f64>,
+    held: Held,
     last: Vec<Last>,
     rng: Stream,
     clock: Clock,
@@ -100,7 +100,7 @@ pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> St
         pairs: [numbers.clone(), numbers],
         r: 0.0,
         before: population.x.clone(),
-        held: vec![0.0; population.dimension],
+        held: Held::new(&population),
         last: vec![Last { flown: false, walked: false }; size],
         rng,
         clock: Clock::new(settings, population.bests()),
@@ -114,43 +114,55 @@ impl Nests {
     fn iterate(&mut self, watch: &mut dyn Watch) -> Progress {
         let watched = watch.particle();
         let size = self.population.size;
-        for at in self.population.next_part(2) {
-            if at == size {
-                self.before.copy_from_slice(&self.population.x);
-                self.pairs.iter_mut().for_each(|numbers| self.rng.shuffle(numbers));
-                self.r = self.rng.unit();
-            }
-            let i = at % size;
-            match (at < size, watched == Some(i)) {
-                (true, true) => {
-                    watch.begins(self);
-                    self.try_flight(i, watch);
-                }
-                (true, false) => self.try_flight(i, &mut ()),
-                (false, true) => self.try_walk(i, watch),
-                (false, false) => self.try_walk(i, &mut ()),
-            }
+        let part = self.population.next_part(2);
+        self.try_flights(part.start.min(size)..part.end.min(size), watched, watch);
+        if part.contains(&size) {
+            self.before.copy_from_slice(&self.population.x);
+            self.pairs.iter_mut().for_each(|numbers| self.rng.shuffle(numbers));
+            self.r = self.rng.unit();
         }
+        self.try_walks(part.start.max(size) - size..part.end.max(size) - size, watched, watch);
         if self.population.is_under_way() {
             return Progress::Partly;
         }
         self.population.end(&mut self.clock)
     }
 
-    fn try_flight<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
-        let cost = self.population.cost[i];
-        self.fly(i, watch);
-        self.population.evaluate(i);
-        watch.flown(self.population.cost[i]);
-        self.last[i].flown = self.keep_better(i, cost);
+    fn try_flights(&mut self, nests: Range<usize>, watched: Option<usize>, watch: &mut dyn Watch) {
+        self.held.hold(&self.population, nests.clone());
+        for i in nests.clone() {
+            if watched == Some(i) {
+                watch.begins(self);
+                self.fly(i, watch);
+            } else {
+                self.fly(i, &mut ());
+            }
+        }
+        self.population.evaluate_all(nests.clone());
+        for i in nests {
+            if watched == Some(i) {
+                watch.flown(self.population.cost[i]);
+            }
+            self.last[i].flown = self.keep_better(i);
+        }
     }
 
-    fn try_walk<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
-        let cost = self.population.cost[i];
-        self.walk(i, self.r, watch);
-        self.population.evaluate(i);
-        watch.walked(self.r, self.population.cost[i]);
-        self.last[i].walked = self.keep_better(i, cost);
+    fn try_walks(&mut self, nests: Range<usize>, watched: Option<usize>, watch: &mut dyn Watch) {
+        self.held.hold(&self.population, nests.clone());
+        for i in nests.clone() {
+            if watched == Some(i) {
+                self.walk(i, self.r, watch);
+            } else {
+                self.walk(i, self.r, &mut ());
+            }
+        }
+        self.population.evaluate_all(nests.clone());
+        for i in nests {
+            if watched == Some(i) {
+                watch.walked(self.r, self.population.cost[i]);
+            }
+            self.last[i].walked = self.keep_better(i);
+        }
     }
 
     /// A Lévy flight to a candidate, which is kept in the box.
@@ -158,7 +170,6 @@ impl Nests {
         let row = self.population.row(i);
         let Population { x, g, objective, .. } = &mut self.population;
         let x = &mut x[row];
-        self.held.copy_from_slice(x);
         for (j, x) in x.iter_mut().enumerate() {
             let draw = self.levy.draw(&mut self.rng);
             let epsilon = self.rng.normal();
@@ -173,7 +184,6 @@ impl Nests {
         let [of_j, of_k] = [0, 1].map(|one| self.population.row(self.pairs[one][i]));
         let Population { x, objective, .. } = &mut self.population;
         let x = &mut x[row];
-        self.held.copy_from_slice(x);
         let (x_j, x_k) = (&self.before[of_j], &self.before[of_k]);
         for (j, x) in x.iter_mut().enumerate() {
             let changes = self.rng.unit() < self.p_a;
@@ -185,12 +195,10 @@ impl Nests {
     }
 
     /// Leaves a nest where it was if its candidate costs more than it did.
-    fn keep_better(&mut self, i: usize, cost: f64) -> bool {
-        let better = self.population.cost[i] <= cost;
+    fn keep_better(&mut self, i: usize) -> bool {
+        let better = self.population.cost[i] <= self.held.cost(i);
         if !better {
-            let row = self.population.row(i);
-            self.population.x[row].copy_from_slice(&self.held);
-            self.population.cost[i] = cost;
+            self.held.put_back(&mut self.population, i);
         }
         better
     }

@@ -1,6 +1,6 @@
 //! The swarm of [WCPSO](crate#papers): velocities, schedules, and (for some) hen and chick.
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 use crate::{
     kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
@@ -119,7 +119,7 @@ impl Swarm {
             v_max,
             per_particle: settings[PER_PARTICLE],
             held: vec![0.0; population.dimension],
-            before: Vec::new(),
+            before: Vec::with_capacity(population.found.len()),
             patience: vec![Patience::default(); size],
             events: vec![Event::Move; size],
             flight,
@@ -179,7 +179,7 @@ impl Swarm {
     }
 
     /// Evaluates particles that flew, and counts whether their costs rise.
-    fn evaluate_flown(&mut self, flown: std::ops::Range<usize>) {
+    fn evaluate_flown(&mut self, flown: Range<usize>) {
         self.before.clear();
         self.before.extend(&self.population.cost[flown.clone()]);
         self.population.evaluate_all(flown.clone());

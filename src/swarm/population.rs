@@ -1,6 +1,6 @@
 //! Positions, costs and bests: what every swarm has, whatever moves its particles.
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 use crate::{
     describe::{Layer, Reading, layers},
@@ -27,7 +27,7 @@ pub struct Population {
     scratch: Scratch,
     /// What was evaluated at once.
     #[state(skip)]
-    found: Vec<Evaluation>,
+    pub(super) found: Vec<Evaluation>,
     /// The first position whose cost the objective refused, which ends the run, and that cost; none: empty.
     #[state(skip)]
     refused: Vec<f64>,
@@ -60,6 +60,10 @@ pub struct Population {
 
 /// So many coordinates are moved and evaluated in a part of a step.
 const PORTION: usize = 20_000;
+/// So many particles are that at most.
+fn portion(size: usize, dimension: usize) -> usize {
+    size.min(PORTION / dimension.max(1)).max(1)
+}
 /// How often particles are drawn anew in all: where no path is free, a big swarm must begin all the same.
 const MOST_REDRAWS: u64 = 20_000;
 
@@ -86,7 +90,7 @@ impl Population {
         let mut population = Self {
             objective,
             scratch: Scratch::default(),
-            found: Vec::new(),
+            found: vec![Evaluation::from(0.0); portion(size, dimension)],
             refused: Vec::new(),
             size,
             dimension,
@@ -182,7 +186,7 @@ impl Population {
 
     /// Where particle `i`'s row lies.
     #[inline]
-    pub(super) fn row(&self, i: usize) -> std::ops::Range<usize> {
+    pub(super) fn row(&self, i: usize) -> Range<usize> {
         i * self.dimension..(i + 1) * self.dimension
     }
 
@@ -196,12 +200,13 @@ impl Population {
 
     /// Evaluates these particles where they are now, all at once, and keeps their personal bests: the same as one after the other, and faster
     /// for some objectives.
-    pub fn evaluate_all(&mut self, of: std::ops::Range<usize>) {
-        let rows = of.start * self.dimension..of.end * self.dimension;
-        self.found.resize(self.found.len().max(of.len()), Evaluation::from(0.0));
-        self.objective.evaluate_all(&self.x[rows], &mut self.scratch, &mut self.found[..of.len()]);
-        for i in of.clone() {
-            self.note(i, self.found[i - of.start]);
+    pub fn evaluate_all(&mut self, of: Range<usize>) {
+        let most = self.found.len();
+        for first in of.clone().step_by(most) {
+            let after = of.end.min(first + most);
+            let rows = first * self.dimension..after * self.dimension;
+            self.objective.evaluate_all(&self.x[rows], &mut self.scratch, &mut self.found[..after - first]);
+            (first..after).for_each(|i| self.note(i, self.found[i - first]));
         }
     }
 
@@ -234,7 +239,7 @@ impl Population {
     }
 
     /// Which particles are moved next, in passes over all of them: all, or as many as can be waited for. See [`Part`].
-    pub fn next_part(&mut self, passes: usize) -> std::ops::Range<usize> {
+    pub fn next_part(&mut self, passes: usize) -> Range<usize> {
         self.part.take(PORTION / self.dimension.max(1), passes * self.size)
     }
 
@@ -307,6 +312,40 @@ impl Population {
             out.push(FREE, if self.free_cost.is_finite() { self.free_cost } else { f64::NAN });
         }
         self.objective.read(self.reported().1, out);
+    }
+}
+
+/// Where particles of a part of a step were before they moved, should they return.
+#[derive(Debug, Clone, State)]
+pub(super) struct Held {
+    first: usize,
+    x: Vec<f64>,
+    cost: Vec<f64>,
+}
+
+impl Held {
+    pub(super) fn new(population: &Population) -> Self {
+        let most = population.found.len();
+        Self { first: 0, x: Vec::with_capacity(most * population.dimension), cost: Vec::with_capacity(most) }
+    }
+
+    pub(super) fn hold(&mut self, population: &Population, particles: Range<usize>) {
+        self.first = particles.start;
+        self.x.clear();
+        self.x.extend_from_slice(&population.x[particles.start * population.dimension..particles.end * population.dimension]);
+        self.cost.clear();
+        self.cost.extend_from_slice(&population.cost[particles]);
+    }
+
+    /// What particle `i`'s position cost.
+    pub(super) fn cost(&self, i: usize) -> f64 {
+        self.cost[i - self.first]
+    }
+
+    pub(super) fn put_back(&self, population: &mut Population, i: usize) {
+        let (row, at) = (population.row(i), (i - self.first) * population.dimension);
+        population.x[row].copy_from_slice(&self.x[at..at + population.dimension]);
+        population.cost[i] = self.cost(i);
     }
 }
 

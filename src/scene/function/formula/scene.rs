@@ -74,11 +74,7 @@ impl Formula {
         }
         let (low, high) = (search_box.low(), search_box.high());
         if low.len() != n {
-            return Err(Error::refused(
-                "bounds",
-                low.len(),
-                message!("scene-bounds", "a number, or {n} of them, one for each variable", n),
-            ));
+            return Err(Error::refused("bounds", low.len(), message!("scene-sides", "a number, or {n} of them, one for each variable", n)));
         }
         for (j, (&low, &high)) in low.iter().zip(high).enumerate() {
             if low.abs() > FARTHEST {
@@ -104,7 +100,7 @@ impl Formula {
             }
             let value = self.value(minimiser, &mut Vec::new());
             if let Some(minimum) = minimum
-                && !((value - minimum.value).abs() <= minimum.rounding())
+                && (value.is_nan() || (value - minimum.value).abs() > minimum.rounding())
             {
                 let allowed = message!("scene-minimum-there", "the value at its position, {value}", value);
                 return Err(Error::refused("optimum.value", minimum.value, allowed));
@@ -147,7 +143,7 @@ pub fn read(fields: &mut Fields) -> Result<FunctionScene, Error> {
     let n = dimension(fields)?;
     let formula = Formula::new(&text, n.min(MAX_DIMENSION + 1))?;
     let bounds = fields.take("bounds");
-    let allowed = || message!("scene-bounds-object", "an object with min and max, each a number or a list of {n} numbers", n);
+    let allowed = || message!("scene-box", "an object with min and max, each a number or a list of {n} numbers", n);
     let mut bounds = Fields::of("bounds", bounds, allowed())?;
     let low = sides(&mut bounds, "min", n)?;
     let high = sides(&mut bounds, "max", n)?;
@@ -163,7 +159,7 @@ fn sides(bounds: &mut Fields, name: &'static str, n: usize) -> Result<Vec<f64>, 
     match found {
         Value::Number(_) => Ok(vec![number(path, &found)?; n]),
         Value::Array(items) if items.len() == n => each(&path, items, |at, value| number(at.to_owned(), &value)),
-        _ => Err(Error::refused(path, shown(&found), message!("scene-bounds", "a number, or {n} of them, one for each variable", n))),
+        _ => Err(Error::refused(path, shown(&found), message!("scene-sides", "a number, or {n} of them, one for each variable", n))),
     }
 }
 

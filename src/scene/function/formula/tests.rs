@@ -1,6 +1,6 @@
 use super::*;
 use crate::{
-    Run, Scene, Setup,
+    Overrides, Run, Scene, Setup,
     kernel::{ReferenceOptimum, Status, rng::Stream},
     scene::Function,
     standard,
@@ -154,7 +154,7 @@ fn scene(fields: &str) -> Result<Scene, Error> {
 }
 
 fn run(fields: &str, planner: &str, seed: u64) -> Run {
-    let setup = Setup { planner: planner.into(), scene: scene(fields).unwrap().into(), params: Default::default(), seed };
+    let setup = Setup { planner: planner.into(), scene: scene(fields).unwrap().into(), params: Overrides::new(), seed };
     Run::new(standard(), setup).unwrap()
 }
 
@@ -231,7 +231,7 @@ fn a_formula_gives_the_same_run_as_the_function_that_it_is() {
     let formula = scene(r#""expression": "sum(x[i]^2)", "dimension": 10, "bounds": {"min": -100, "max": 100}"#).unwrap();
     for planner in ["pso", "wcpso", "ltqpso", "cuckoo-search"] {
         let end = |scene: &Scene| {
-            let setup = Setup { planner: planner.into(), scene: scene.clone().into(), params: Default::default(), seed: 9 };
+            let setup = Setup { planner: planner.into(), scene: scene.clone().into(), params: Overrides::new(), seed: 9 };
             let mut run = Run::new(standard(), setup).unwrap();
             run.step(100);
             let outcome = run.outcome();
