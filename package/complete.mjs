@@ -151,6 +151,8 @@ for (const [field, entries] of Object.entries(shipped))
   for (const { name } of entries) if (!holds[field][name]) throw new Error(`no part holds the ${field} ${name}`)
 for (const { name, kind } of catalogue.scenes) holds.scene[name] = holds.kind[kind]
 holds.role = {}
+// What reads a scene's field is asked for as a tool.
+holds.field = { expression: ['formulas'] }
 holds.tool = Object.fromEntries(parts.map((part) => [part, [part]]))
 write('parts.js', partsFile(holds))
 
@@ -312,6 +314,7 @@ const contents = {
   links: 'links',
   files: 'files of other programs',
   generators: 'random scenes',
+  formulas: 'functions by formula',
   pictures: 'pictures as SVG',
   statistics: 'statistics of many runs',
 }

@@ -19,7 +19,8 @@ export const holdersOf = (field, value) => {
 export function partsOf({ planner, scene, params = {} }) {
   const named = Object.values(params ?? {}).flatMap((value) => (typeof value === 'string' ? (holdersOf('planner', value) ?? []) : []))
   const place = typeof scene === 'string' ? holdersOf('scene', scene) : holdersOf('kind', scene?.kind)
-  return [...new Set([...(holdersOf('planner', planner) ?? []), ...named, ...(place ?? [])])]
+  const fields = typeof scene === 'string' ? [] : Object.keys(scene ?? {}).flatMap((field) => holdersOf('field', field) ?? [])
+  return [...new Set([...(holdersOf('planner', planner) ?? []), ...named, ...(place ?? []), ...fields])]
 }
 
 /** All parts but the first. */

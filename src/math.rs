@@ -4,7 +4,10 @@
 
 pub use libm::{acos, asin, atan2, cos, exp, log as ln, log10, pow, sin, tgamma as gamma};
 
-use std::{cmp::Ordering, f64::consts::PI};
+use std::{
+    cmp::Ordering,
+    f64::consts::{PI, TAU},
+};
 
 /// Taylor coefficients in x² of sin x / x − 1; what is left out is under 1e-16.
 const SIN: [f64; 7] =
@@ -16,6 +19,19 @@ const SIN: [f64; 7] =
 fn nearest(t: f64) -> f64 {
     const SHIFT: f64 = 6_755_399_441_055_744.0;
     (t + SHIFT) - SHIFT
+}
+
+/// An angle from 0 to 2π, of one that is less than two turns away from 0. Its bits are those of `rem_euclid`, which takes a division of
+/// 128 bits.
+pub fn turn(mut angle: f64) -> f64 {
+    for _ in 0..2 {
+        if angle >= TAU {
+            angle -= TAU;
+        } else if angle < 0.0 {
+            angle += TAU;
+        }
+    }
+    angle
 }
 
 /// `x`, but not below `low` and not above `high`. Unlike `f64::min` and `max` it leaves no choice between 0 and −0,
@@ -99,6 +115,14 @@ pub fn sum_cos_turns(turns: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_turn_is_what_is_left_of_an_angle() {
+        for k in -1999..2000 {
+            let angle = f64::from(k) * TAU / 1000.0;
+            assert_eq!(turn(angle), angle.rem_euclid(TAU), "{angle}");
+        }
+    }
 
     #[test]
     fn cos_turns_agrees_with_libm_and_is_exact_at_half_turns() {

@@ -167,7 +167,7 @@ pub(super) fn theta1(from: usize, to: usize) -> f64 {
 
 /// The angle between two directions, 0 to π.
 fn between(a: f64, b: f64) -> f64 {
-    let apart = (a - b).abs() % TAU;
+    let apart = math::turn((a - b).abs());
     if apart > PI { TAU - apart } else { apart }
 }
 

@@ -223,7 +223,7 @@ fn normal_of_tangent(to: Vector, offset: f64, slack: f64) -> Option<Vector> {
 #[inline(never)]
 fn overlaps(from: f64, sweep: f64, middle: f64, half: f64, slack: f64) -> bool {
     // Turn so that the arc begins at 0; the other then begins in [0, 2π) or reaches over from before.
-    let begin = (middle - half - from).rem_euclid(TAU);
+    let begin = math::turn(middle - half - from);
     let end = begin + 2.0 * half;
     sweep.min(end) - begin > slack || sweep.min(end - TAU) > slack
 }

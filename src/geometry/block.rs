@@ -1,5 +1,7 @@
 //! A rectangular obstacle grown by a radius on all sides: the exact Minkowski sum of a box and a disc, corners rounded.
 
+use crate::math::clamp;
+
 use super::{Disc, distance_squared};
 
 /// An axis-parallel rectangle.
@@ -91,7 +93,7 @@ impl Block {
         let least = |t: f64| sides.iter().map(|[at, slope]| at + t * slope).fold(f64::INFINITY, f64::min);
         let meetings = (0..4).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| {
             let slope = sides[i][1] - sides[j][1];
-            if slope == 0.0 { from } else { ((sides[j][0] - sides[i][0]) / slope).clamp(from, to) }
+            if slope == 0.0 { from } else { clamp((sides[j][0] - sides[i][0]) / slope, from, to) }
         });
         meetings.chain([from, to]).map(least).fold(0.0, f64::max)
     }

@@ -161,7 +161,7 @@ mod tests {
             let (a, b) = (point(-2.0, 2.0), point(-2.0, 2.0));
             let at = |i: i32| [0, 1, 2].map(|axis| a[axis] + (b[axis] - a[axis]) * f64::from(i) / 2000.0);
             let norm = |x: [f64; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
-            let to_box = |x: [f64; 3]| norm([0, 1, 2].map(|i| x[i] - x[i].clamp(cuboid.min[i], cuboid.max[i])));
+            let to_box = |x: [f64; 3]| norm([0, 1, 2].map(|i| x[i] - clamp(x[i], cuboid.min[i], cuboid.max[i])));
             let brute = (0..=2000).map(|i| to_box(at(i))).fold(f64::INFINITY, f64::min);
             let exact = cuboid.distance_squared(a, b).sqrt();
             let piece = norm([0, 1, 2].map(|i| b[i] - a[i])) / 2000.0;

@@ -9,6 +9,12 @@ use std::fmt;
 #[derive(Debug, Clone, Copy)]
 pub struct Digits(pub f64);
 
+/// A position in words: `(1, 2.5)`.
+pub fn coordinates(position: &[f64]) -> String {
+    let numbers: Vec<_> = position.iter().map(|number| Digits(*number).to_string()).collect();
+    format!("({})", numbers.join(", "))
+}
+
 #[cfg(not(target_arch = "wasm32"))]
 impl fmt::Display for Digits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -49,6 +55,9 @@ fn written(number: f64, f: &mut fmt::Formatter<'_>, exponent: bool) -> fmt::Resu
     let size = number.abs();
     if size.is_infinite() {
         return f.write_str("inf");
+    }
+    if size < 1e15 && size.fract() == 0.0 && !exponent {
+        return write!(f, "{}", size as u64);
     }
     let number = js_sys::Number::from(size);
     let mut decimal = Decimal::of(&js_sys::JSON::stringify(&number).map(String::from).unwrap_or_default());

@@ -56,43 +56,87 @@ fn decimal(text: &str) -> Option<f64> {
 
 /// Writes an object's fields in their order, without spaces.
 pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, &'a Value)>) -> String {
-    let mut out = String::new();
-    write_object(&mut out, &mut fields.into_iter());
-    out
+    let mut writer = Writer { out: String::new(), level: None };
+    writer.object(&mut fields.into_iter());
+    writer.out
 }
 
-fn write_object(out: &mut String, fields: &mut dyn Iterator<Item = (&str, &Value)>) {
-    out.push('{');
-    for (i, (name, value)) in fields.enumerate() {
-        separate(out, i);
-        write_text(out, name);
-        out.push(':');
-        write(out, value);
-    }
-    out.push('}');
+/// Writes an object's fields in their order, for people: each in a line, and so is each item of a list.
+pub fn pretty<'a>(fields: impl IntoIterator<Item = (&'a str, &'a Value)>) -> String {
+    let mut writer = Writer { out: String::new(), level: Some(0) };
+    writer.object(&mut fields.into_iter());
+    writer.out
 }
 
-fn write(out: &mut String, value: &Value) {
-    match value {
-        Value::Null => out.push_str("null"),
-        Value::Bool(flag) => out.push_str(if *flag { "true" } else { "false" }),
-        Value::Number(number) => write_number(out, number.as_f64().unwrap_or_default()),
-        Value::String(text) => write_text(out, text),
-        Value::Array(items) => {
-            out.push('[');
-            for (i, item) in items.iter().enumerate() {
-                separate(out, i);
-                write(out, item);
-            }
-            out.push(']');
+struct Writer {
+    out: String,
+    /// How deep the line is indented; `None` where there are no lines.
+    level: Option<usize>,
+}
+
+impl Writer {
+    fn object(&mut self, fields: &mut dyn Iterator<Item = (&str, &Value)>) {
+        self.open('{');
+        let mut count = 0;
+        for (name, value) in fields {
+            self.separate(count);
+            write_text(&mut self.out, name);
+            self.out.push_str(if self.level.is_some() { ": " } else { ":" });
+            self.value(value);
+            count += 1;
         }
-        Value::Object(fields) => write_object(out, &mut fields.iter().map(|(name, value)| (name.as_str(), value))),
+        self.close('}', count);
     }
-}
 
-fn separate(out: &mut String, i: usize) {
-    if i > 0 {
-        out.push(',');
+    fn value(&mut self, value: &Value) {
+        match value {
+            Value::Null => self.out.push_str("null"),
+            Value::Bool(flag) => self.out.push_str(if *flag { "true" } else { "false" }),
+            Value::Number(number) => {
+                let value = number.as_f64().unwrap_or_default();
+                write_number(&mut self.out, value);
+                if self.level.is_some() && number.is_f64() && value.fract() == 0.0 && value.abs() < 1e21 {
+                    self.out.push_str(".0");
+                }
+            }
+            Value::String(text) => write_text(&mut self.out, text),
+            Value::Array(items) => {
+                self.open('[');
+                for (i, item) in items.iter().enumerate() {
+                    self.separate(i);
+                    self.value(item);
+                }
+                self.close(']', items.len());
+            }
+            Value::Object(fields) => self.object(&mut fields.iter().map(|(name, value)| (name.as_str(), value))),
+        }
+    }
+
+    fn open(&mut self, bracket: char) {
+        self.out.push(bracket);
+        self.level = self.level.map(|level| level + 1);
+    }
+
+    fn close(&mut self, bracket: char, count: usize) {
+        self.level = self.level.map(|level| level - 1);
+        if count > 0 {
+            self.line();
+        }
+        self.out.push(bracket);
+    }
+
+    fn separate(&mut self, i: usize) {
+        if i > 0 {
+            self.out.push(',');
+        }
+        self.line();
+    }
+
+    fn line(&mut self) {
+        if let Some(level) = self.level {
+            self.out.push('\n');
+            (0..level).for_each(|_| self.out.push_str("  "));
+        }
     }
 }
 
@@ -128,6 +172,15 @@ mod tests {
         let text = object(value.as_object().unwrap().iter().map(|(name, value)| (name.as_str(), value)));
         assert_eq!(text, r#"{"a":[1,2.5,-3e-9,1e300,true,null],"b":{"c\u000a\"\\":"ä\u0001"}}"#);
         assert_eq!(parse("a", &text).unwrap(), value);
+        let text = pretty(value.as_object().unwrap().iter().map(|(name, value)| (name.as_str(), value)));
+        assert_eq!(parse("a", &text).unwrap(), value);
+    }
+
+    #[test]
+    fn people_get_lines() {
+        let value = parse("a", r#"{"a": [[1, 2.5], [3.0, -4.0]], "b": {}, "c": ["x", {"e": null}], "d": []}"#).unwrap();
+        let text = pretty(value.as_object().unwrap().iter().map(|(name, value)| (name.as_str(), value)));
+        assert_eq!(text, serde_json::to_string_pretty(&value).unwrap());
     }
 
     #[test]

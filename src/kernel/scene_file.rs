@@ -17,8 +17,7 @@ impl Serialize for Scene {
 impl Scene {
     /// The scene file's text.
     pub fn to_json(&self) -> String {
-        // Scenes hold strings and finite numbers only: this cannot fail.
-        serde_json::to_string_pretty(self).unwrap_or_default()
+        json::pretty(self.fields().iter().map(|(name, value)| (*name, value)))
     }
 
     /// The scene file's text on one line, as links carry it.

@@ -52,17 +52,19 @@ impl Ink {
     pub fn outline(&self, glyph: Glyph, [x, y]: [f64; 2], diameter: f64) -> String {
         let Self { layer, color, .. } = self;
         let half = diameter / 2.0;
+        let line = Px(OUTLINE);
         if glyph == Glyph::Diamond {
             let corners = diamond([x, y], half + 1.0);
-            return format!(r#"<path class="{layer}" d="{corners}" stroke="{color}" stroke-width="{OUTLINE}"/>"#);
+            return format!(r#"<path class="{layer}" d="{corners}" stroke="{color}" stroke-width="{line}"/>"#);
         }
-        format!(r#"<circle class="{layer}" cx="{x}" cy="{y}" r="{half}" stroke="{color}" stroke-width="{OUTLINE}"/>"#)
+        let [x, y, half] = [x, y, half].map(Px);
+        format!(r#"<circle class="{layer}" cx="{x}" cy="{y}" r="{half}" stroke="{color}" stroke-width="{line}"/>"#)
     }
 
     /// A diamond that a rim separates from what lies beneath.
     pub fn lifted_diamond(&self, at: [f64; 2], diameter: f64) -> String {
         let Self { layer, color, ground, width, .. } = self;
-        let (corners, rim) = (diamond(at, diameter / 2.0), width + RIM);
+        let (corners, rim, width) = (diamond(at, diameter / 2.0), Px(width + RIM), Px(*width));
         format!(
             r#"<path d="{corners}" stroke="{ground}" stroke-width="{rim}"/>
 <path class="{layer}" d="{corners}" fill="{ground}" stroke="{color}" stroke-width="{width}"/>"#
@@ -72,7 +74,7 @@ impl Ink {
     /// A disc with a hatch and a rim.
     pub fn disc(&self, [x, y]: [f64; 2], radius: f64) -> String {
         let Self { layer, color, fill, ground, width } = self;
-        let (r, rim) = (radius.max(OBSTACLE), width + RIM);
+        let [x, y, r, rim, width] = [x, y, radius.max(OBSTACLE), width + RIM, *width].map(Px);
         format!(
             r#"<circle cx="{x}" cy="{y}" r="{r}" fill="{fill}" stroke="{ground}" stroke-width="{rim}" paint-order="stroke"/>
 <circle class="{layer}" cx="{x}" cy="{y}" r="{r}" fill="url(#hatch-{layer})" stroke="{color}" stroke-width="{width}"/>"#
@@ -82,7 +84,7 @@ impl Ink {
     /// The rim of a disc.
     pub fn reach(&self, [x, y]: [f64; 2], radius: f64, look: &Look) -> String {
         let Self { layer, color, width, .. } = self;
-        let (opacity, dashes) = (look.opacity[0], Dashes(look.dash));
+        let ([x, y, radius, width, opacity], dashes) = ([x, y, radius, *width, look.opacity[0]].map(Px), Dashes(look.dash));
         format!(
             r#"<circle class="{layer}" cx="{x}" cy="{y}" r="{radius}" stroke="{color}" stroke-width="{width}" stroke-opacity="{opacity}"{dashes}/>"#
         )
@@ -93,7 +95,7 @@ impl Ink {
         let Self { layer, color, fill, ground, width } = self;
         let r = rounded(radius.max(ROBOT));
         let [dx, dy] = heading.unwrap_or([1.0, 0.0]).map(rounded);
-        let of = |share: f64| rounded(share * r);
+        let of = |share: f64| Px(share * r);
         let (left, long, wide, round) = (of(-0.475), of(0.95), of(0.34), of(0.17));
         let wheel = |top: f64| format!(r#"<rect x="{left}" y="{}" width="{long}" height="{wide}" rx="{round}"/>"#, of(top));
         let wheels = wheel(-1.17) + &wheel(0.83);
@@ -101,14 +103,14 @@ impl Ink {
             Some(_) => format!("M{} 0 {} {} {} 0 {} {}Z", of(0.74), of(-0.42), of(0.52), of(-0.16), of(-0.42), of(-0.52)),
             None => format!("M{0} 0A{0} {0} 0 1 1 {1} 0A{0} {0} 0 1 1 {0} 0Z", of(0.35), of(-0.35)),
         };
+        let [x, y, dx, dy, against, r, width] = [x, y, dx, dy, -dy, r, *width].map(Px);
         format!(
-            r#"<g class="{layer}" transform="matrix({dx} {dy} {} {dx} {x} {y})">
+            r#"<g class="{layer}" transform="matrix({dx} {dy} {against} {dx} {x} {y})">
 <g stroke="{ground}" stroke-width="4">{wheels}<circle r="{r}"/></g>
 <g fill="{color}">{wheels}</g>
 <circle r="{r}" fill="{fill}" stroke="{color}" stroke-width="{width}"/>
 <path d="{head}" fill="{color}"/>
-</g>"#,
-            rounded(-dy)
+</g>"#
         )
     }
 
@@ -159,13 +161,13 @@ pub(super) fn events(layer: &str, events: &[([f64; 2], Tone)], ground: &Hex, dar
     for (tone, color, outline, sign) in &TONES {
         let color = Hex(opaque(color.on(dark)));
         for ([x, y], _) in events.iter().filter(|(_, of)| of == tone) {
-            let [left, top] = [x - EVENT / 2.0, y - EVENT / 2.0].map(rounded);
+            let [left, top] = [x - EVENT / 2.0, y - EVENT / 2.0].map(Px);
             let _ = writeln!(
                 out,
                 r#"<g class="{layer}" transform="translate({left} {top}) scale({})">
 <path d="{outline}" stroke="{ground}" stroke-width="5"/><path d="{outline}" fill="{color}" stroke="{color}" stroke-width="1.2"/><path d="{sign}" stroke="{ground}" stroke-width="1.7"/>
 </g>"#,
-                EVENT / 16.0
+                Px(EVENT / 16.0)
             );
         }
     }
@@ -173,13 +175,13 @@ pub(super) fn events(layer: &str, events: &[([f64; 2], Tone)], ground: &Hex, dar
 }
 
 fn diamond([x, y]: [f64; 2], half: f64) -> String {
-    let [left, top, right, bottom] = [x - half, y - half, x + half, y + half].map(rounded);
+    let [left, top, right, bottom, x, y] = [x - half, y - half, x + half, y + half, x, y].map(Px);
     format!("M{x} {top} {right} {y} {x} {bottom} {left} {y}Z")
 }
 
 fn head(out: &mut String, [x, y]: [f64; 2], [dx, dy]: [f64; 2]) {
     let [along, aside] = HEAD;
-    let corner = |along: f64, aside: f64| format!("{} {}", rounded(x + along * dx - aside * dy), rounded(y + along * dy + aside * dx));
+    let corner = |along: f64, aside: f64| format!("{} {}", Px(x + along * dx - aside * dy), Px(y + along * dy + aside * dx));
     let _ = write!(out, "M{} {} {}Z", corner(along, 0.0), corner(-along, aside), corner(-along, -aside));
 }
 
@@ -194,7 +196,7 @@ pub(super) struct Dashes(pub &'static [f64]);
 impl Display for Dashes {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         for (i, length) in self.0.iter().enumerate() {
-            write!(out, "{}{length}", if i == 0 { r#" stroke-dasharray=""# } else { " " })?;
+            write!(out, "{}{}", if i == 0 { r#" stroke-dasharray=""# } else { " " }, Px(*length))?;
         }
         out.write_str(if self.0.is_empty() { "" } else { "\"" })
     }
@@ -207,4 +209,23 @@ pub(super) const fn opaque([red, green, blue, _]: Rgba) -> Rgba {
 /// To a hundredth of a pixel, and never −0.
 pub(super) fn rounded(pixels: f64) -> f64 {
     (pixels * 100.0).round() / 100.0 + 0.0
+}
+
+/// A number to a hundredth, as it is written in a picture. Writing one with all of its digits takes tables, which would be in the download.
+#[derive(Clone, Copy)]
+pub(super) struct Px(pub f64);
+
+impl Display for Px {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let hundredths = (self.0.abs() * 100.0).round() as u64;
+        let (whole, rest) = (hundredths / 100, hundredths % 100);
+        if self.0 < 0.0 && hundredths > 0 {
+            out.write_str("-")?;
+        }
+        match (rest, rest % 10) {
+            (0, _) => write!(out, "{whole}"),
+            (_, 0) => write!(out, "{whole}.{}", rest / 10),
+            _ => write!(out, "{whole}.{rest:02}"),
+        }
+    }
 }

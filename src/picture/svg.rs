@@ -11,7 +11,7 @@ use crate::{
 };
 
 use super::{
-    glyph::{self, Dashes, Ink, opaque, rounded},
+    glyph::{self, Dashes, Ink, Px, opaque, rounded},
     raster,
 };
 
@@ -81,6 +81,7 @@ impl Canvas {
     }
 
     fn picture(mut self, run: &Run, shown: &[LayerKey], [width, height]: [f64; 2]) -> String {
+        let [width, height] = [width, height].map(Px);
         let title = format!("{} on {}, iteration {}", run.entry().title, run.scene().header().title, run.iteration());
         put!(
             self,
@@ -102,15 +103,15 @@ impl Canvas {
         scene.body().backdrop(&mut |piece| match piece {
             Backdrop::Border(bounds) => self.frame_of(bounds),
             Backdrop::Disc(disc) => {
-                let [x, y] = self.at(disc.center);
-                let radius = rounded(disc.radius * self.scale);
+                let [x, y] = self.at(disc.center).map(Px);
+                let radius = Px(disc.radius * self.scale);
                 put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}" stroke="{stroke}" stroke-width="1.2"/>"#);
             }
             Backdrop::Block(block) => self.rectangle(block, &format!(r#"fill="{fill}" stroke="{stroke}" stroke-width="1.2""#)),
             Backdrop::Cells(cells) => self.rectangle(cells, &format!(r#"fill="{wall}" stroke="{wall}" stroke-width="1""#)),
             // A line of twice the distance about the box is round at the corners.
             Backdrop::Margin(block, distance) => {
-                let width = rounded(2.0 * distance * self.scale);
+                let width = Px(2.0 * distance * self.scale);
                 self.rectangle(block, &format!(r#"fill="{margin}" stroke="{margin}" stroke-width="{width}""#));
             }
         });
@@ -123,8 +124,8 @@ impl Canvas {
 
     fn rectangle(&mut self, bounds: Bounds, look: &str) {
         let ([x0, y0], [x1, y1]) = (self.at(bounds.min), self.at(bounds.max));
-        let (width, height) = (rounded(x1 - x0), rounded((y1 - y0).abs()));
-        put!(self, r#"<rect x="{x0}" y="{}" width="{width}" height="{height}" {look}/>"#, y0.min(y1));
+        let [x, y, width, height] = [x0, y0.min(y1), x1 - x0, (y1 - y0).abs()].map(Px);
+        put!(self, r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" {look}/>"#);
     }
 
     /// The layers in the order of their looks; events, start and goal, and then the robot lie on top.
@@ -236,7 +237,7 @@ impl Canvas {
     fn list(&self, points: &[[f64; 2]]) -> String {
         let mut list = String::new();
         for &point in points {
-            let [x, y] = self.at(point);
+            let [x, y] = self.at(point).map(Px);
             let _ = write!(list, "{x},{y} ");
         }
         list
@@ -252,8 +253,8 @@ impl Canvas {
             layer.0,
             list.trim_end(),
             Hex(opaque(color)),
-            rounded(width),
-            opacity_of(color, look.opacity_at(weight)),
+            Px(width),
+            Px(opacity_of(color, look.opacity_at(weight))),
             Dashes(look.dash)
         );
     }
@@ -281,7 +282,7 @@ impl Canvas {
         if points.len() == 1 {
             list = list.repeat(2);
         }
-        let width = 2.0 * radius;
+        let (width, opacity) = (Px(2.0 * radius), Px(opacity));
         put!(
             self,
             r#"<polyline class="{}" points="{}" stroke="{paint}" stroke-width="{width}" stroke-opacity="{opacity}"/>"#,
@@ -291,8 +292,8 @@ impl Canvas {
     }
 
     fn dot(&mut self, layer: LayerKey, point: [f64; 2], radius: f64, color: Rgba, opacity: f64) {
-        let [x, y] = self.at(point);
-        let (fill, opacity) = (Hex(opaque(color)), opacity_of(color, opacity));
+        let ([x, y], [radius, opacity]) = (self.at(point).map(Px), [radius, opacity_of(color, opacity)].map(Px));
+        let fill = Hex(opaque(color));
         put!(self, r#"<circle class="{}" cx="{x}" cy="{y}" r="{radius}" fill="{fill}" fill-opacity="{opacity}"/>"#, layer.0);
     }
 
@@ -309,16 +310,16 @@ impl Canvas {
             let at = place(i);
             let tone = self.tone(if at < 0.0 { UNNUMBERED } else { layers::TOUR.look.color });
             let radius = if numbered { 9.5 } else { 3.5 };
-            put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{ground}" stroke="{tone}" stroke-width="1.75"/>"#);
+            let (below, [x, y, disc, ring]) = (Px(y + 4.0), [x, y, radius, radius + 3.25].map(Px));
+            put!(self, r#"<circle cx="{x}" cy="{y}" r="{disc}" fill="{ground}" stroke="{tone}" stroke-width="1.75"/>"#);
             if at == 0.0 {
-                put!(self, r#"<circle cx="{x}" cy="{y}" r="{}" stroke="{tone}" stroke-width="2"/>"#, radius + 3.25);
+                put!(self, r#"<circle cx="{x}" cy="{y}" r="{ring}" stroke="{tone}" stroke-width="2"/>"#);
             }
             if numbered {
                 let number = if at < 0.0 { i } else { at as usize } + 1;
                 put!(
                     self,
-                    r#"<text x="{x}" y="{}" fill="{ink}" font-family="sans-serif" font-size="11" text-anchor="middle">{number}</text>"#,
-                    y + 4.0
+                    r#"<text x="{x}" y="{below}" fill="{ink}" font-family="sans-serif" font-size="11" text-anchor="middle">{number}</text>"#
                 );
             }
         }
@@ -329,7 +330,7 @@ impl Canvas {
             return;
         };
         for (point, fill) in [(start, self.tone(START)), (goal, self.tone(GOAL))] {
-            let [x, y] = self.at(point);
+            let [x, y] = self.at(point).map(Px);
             put!(self, r#"<circle cx="{x}" cy="{y}" r="6" fill="{fill}"/>"#);
         }
     }

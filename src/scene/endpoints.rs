@@ -2,7 +2,7 @@
 
 use crate::{
     geometry::{Cells, Endpoints, Plan},
-    kernel::Error,
+    kernel::{Error, digits::coordinates},
     message,
 };
 
@@ -59,7 +59,7 @@ fn entrance(grid: &GridScene, name: &str, point: [f64; 2]) -> Result<usize, Erro
     all.find(|&cell| fits(cell)).ok_or_else(|| {
         Error::refused(
             name,
-            format!("({}, {})", point[0], point[1]),
+            coordinates(&point),
             message!("scene-entrance", "in a cell to whose centre the robot can go: this planner goes from cell to cell"),
         )
     })

@@ -27,7 +27,7 @@ enum Initial {
 }
 
 /// Paths whose `i`-th point lies on the circle of radius ρ_i = i |SG| / D about the start. The goal is fixed.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Polar {
     terrain: Terrain,
     radii: Vec<f64>,

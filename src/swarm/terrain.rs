@@ -19,7 +19,7 @@ use super::{
 };
 
 /// What a path must go round.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub(super) enum Obstacles {
     /// Discs, and where (15) looks for a path in them.
     Discs(Arc<[Disc]>, Penalty),
@@ -37,7 +37,7 @@ pub(super) struct Smoothing {
 }
 
 /// Where paths lead from and to, what they must go round, and what they cost.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub(super) struct Terrain {
     pub(super) start: [f64; 2],
     pub(super) goal: [f64; 2],

@@ -14,7 +14,7 @@ use super::{
 };
 
 /// Paths through way-points anywhere in the bounds.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Waypoints {
     terrain: Terrain,
     search_box: SearchBox,

@@ -7,7 +7,7 @@ use crate::{
     describe::{ROAD, Start},
     exact::{Distances, is_reachable},
     geometry,
-    kernel::{Error, Message, State, Subtask, SubtaskResult, Subtasks, rng::Stream},
+    kernel::{Error, Message, State, Subtask, SubtaskResult, Subtasks, digits::coordinates, rng::Stream},
     message,
     params::{Overrides, Value},
     scene::GridScene,
@@ -76,7 +76,7 @@ impl Network {
             let endpoints = grid.endpoints_between(["stops[0]", &name], [stops[0], stop])?;
             if !is_reachable(grid.cells(), endpoints.start, endpoints.goal) {
                 let allowed = message!("tour-stop-apart", "where it can be reached from stops[0]: there is no way between them");
-                return Err(Error::refused(name, format!("({}, {})", stop[0], stop[1]), allowed));
+                return Err(Error::refused(name, coordinates(&stop), allowed));
             }
         }
         let mut rng = Stream::new(start.seed, 1);

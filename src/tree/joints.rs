@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     arm::{self, Arm, ArmScene, Posture},
-    kernel::{Error, Solution},
+    kernel::{Error, Solution, digits::coordinates},
     message,
     params::{Param, Parameters},
     scene::{JOINED, Scene},
@@ -84,7 +84,7 @@ fn free_postures(field: &str, scene: &ArmScene, point: [f64; 3], near: &Posture,
     }
     free.extend(reached.iter().filter(|posture| !arm::touches(scene, &scene.arm.skeleton(posture), radius)));
     if free.is_empty() {
-        let shown = format!("({}, {}, {})", point[0], point[1], point[2]);
+        let shown = coordinates(&point);
         let allowed = match why {
             Some(unreachable) if reached.is_empty() => {
                 message!("tree-reachable", "where the arm can bring its tip: {why}", why = unreachable.message())

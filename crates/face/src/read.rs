@@ -10,10 +10,7 @@ use forage::{
     kernel::{Item, LayerKey, Message, SceneKindId, allowed, digits::Digits, javascript, limits},
 };
 
-use crate::{
-    JsNumber, JsRamp, js_error,
-    registry::{ask, bring, registry},
-};
+use crate::{JsNumber, JsRamp, js_error, registry::ask};
 
 /// A value that is not what it must be.
 pub(crate) fn refused(field: &str, value: &JsValue, allowed: Message) -> JsValue {
@@ -88,10 +85,7 @@ fn same_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     if let Some(scene) = last {
         return Ok(scene);
     }
-    if let Some(kind) = read.get("kind").and_then(|kind| kind.as_str()) {
-        while registry().kind(kind).is_err() && bring("kind", kind)? {}
-    }
-    let scene = Arc::new(registry().read_scene_value(read).map_err(js_error)?);
+    let scene = Arc::new(ask(|registry| registry.read_scene_value(read.clone()))?);
     LAST.set(text.map(|text| (text, Arc::clone(&scene))));
     Ok(scene)
 }

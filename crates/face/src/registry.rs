@@ -29,8 +29,9 @@ thread_local!(static KNOWN: RefCell<Known> = RefCell::default());
 pub fn know(rank: u8, entries: Entries) {
     console_error_panic_hook::set_once();
     KNOWN.with_borrow_mut(|known| {
-        known.parts.push((rank, entries));
-        known.parts.sort_by_key(|(rank, _)| *rank);
+        // Behind all of its rank. To sort would bring in a sort.
+        let at = known.parts.partition_point(|(other, _)| *other <= rank);
+        known.parts.insert(at, (rank, entries));
         let registry = known.parts.iter().fold(Registry::new(), |registry, (_, entries)| entries(registry));
         known.registry = Some(Box::leak(Box::new(Arc::new(registry))));
     });

@@ -348,19 +348,7 @@ export type Formula = {
   when?: When
 }
 
-/** Mean ranks of groups over common scenes and seeds, and Friedman's test of whether they differ. */
-export type Friedman = {
-  /** The number of scenes and seeds. */
-  blocks: number
-  /** The mean rank of each group, 1 is the best; ties share their mean rank. `null` of a deterministic one. */
-  ranks: Array<number | null>
-  /** Friedman's statistic, corrected for ties; `null` for two groups, or if all are tied everywhere. */
-  statistic: number | null
-  /** Its p-value by the chi-squared distribution. */
-  p: number | null
-}
-
-export type FunctionScene = {
+export type FormulaScene = {
   format: 'forage-scene'
   version: 1
   kind: 'function'
@@ -378,13 +366,30 @@ export type FunctionScene = {
   exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
   /** Published values for it, as in the file. */
   published?: Record<string, unknown>
-  /** The function. */
-  function: TestFunction
+  /** The formula, at most 4096 bytes: `sum(x[i]^2)`. */
+  expression: string
   /** The number of variables. */
   dimension: number
-  /** The position of the function's origin, a number for each variable; empty: at 0. */
-  shift?: Array<number>
+  /** Where the minimum is searched. */
+  bounds: SearchBounds
+  /** The minimum, if it is known, with its position or without. */
+  optimum: number | { value: number; position?: number[] }
 }
+
+/** Mean ranks of groups over common scenes and seeds, and Friedman's test of whether they differ. */
+export type Friedman = {
+  /** The number of scenes and seeds. */
+  blocks: number
+  /** The mean rank of each group, 1 is the best; ties share their mean rank. `null` of a deterministic one. */
+  ranks: Array<number | null>
+  /** Friedman's statistic, corrected for ties; `null` for two groups, or if all are tied everywhere. */
+  statistic: number | null
+  /** Its p-value by the chi-squared distribution. */
+  p: number | null
+}
+
+/** A scene with a function to minimise. */
+export type FunctionScene = NamedFunctionScene | FormulaScene
 
 /** What makes random scenes. */
 export type Generator = { name: GeneratorName; title: string; help: string; parameters: Array<Parameter> }
@@ -688,6 +693,32 @@ export type Moving = {
   waypoints?: Array<[number, number, number]>
 }
 
+export type NamedFunctionScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'function'
+  /** Short identifier, used in links and on the command line. */
+  name: string
+  /** A line for people. */
+  title: string
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** The function. */
+  function: TestFunction
+  /** The number of variables. */
+  dimension: number
+  /** The position of the function's origin, a number for each variable; left out: at 0. */
+  shift?: Array<number>
+}
+
 /** The result of a run so far: what was found, whether it is feasible, and what it cost. What does not apply is left out. */
 export type Outcome = {
   /** The planner's name. */
@@ -734,6 +765,8 @@ export type Outcome = {
   readings: Record<string, number>
   /** What keeps the planner from a result, if something does. */
   trouble?: string
+  /** Where a cost could not be computed, if that is the reason. */
+  failed_at?: Array<number>
   /** What happened in simulated time, and what was decided and why. */
   events?: Array<RunEvent>
   /** What a planner of planners recommends. */
@@ -935,6 +968,14 @@ export type RunEvent = {
 /** The content of a scene file. */
 export type Scene = FunctionScene | DiscsScene | GridScene | TourScene | ArmScene
 
+/** The sides of a search box: a number for all of them, or one for each variable. */
+export type SearchBounds = {
+  /** The least values. */
+  min: number | number[]
+  /** The greatest values. */
+  max: number | number[]
+}
+
 /** How a span's vertices belong together. */
 export type Shape = 'points' | 'polyline' | 'segments' | 'field' | 'tube'
 
@@ -949,7 +990,7 @@ export type Stage = {
 }
 
 /** The status of a run: whether it goes on, or why it ended. */
-export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible'
+export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible' | 'failed'
 
 /** Sizes that a paper recommends for a setup. */
 export type Suggestion = {

@@ -26,7 +26,7 @@ enum Rank {
 #[wasm_bindgen(start)]
 fn start() {
     know(Rank::Discs as u8, |registry| registry.with(&scene::discs::KIND));
-    know(Rank::Function as u8, |registry| registry.with(&scene::function::KIND));
+    know(Rank::Function as u8, |registry| registry.with(&scene::function::NAMED));
     know(Rank::Swarms as u8, |registry| registry.with_all(registry::SWARMS));
 }
 
@@ -90,6 +90,9 @@ parts! {
     }
     files, "__wasm_split_00files00_import_00000000000000000000000000000004_files", "__wasm_split_00files00_export_00000000000000000000000000000004_files", {
         offer_files();
+    }
+    formulas, "__wasm_split_00formulas00_import_00000000000000000000000000000009_formulas", "__wasm_split_00formulas00_export_00000000000000000000000000000009_formulas", {
+        know(Rank::Function as u8, |registry| registry.with(&scene::function::KIND));
     }
     generators, "__wasm_split_00generators00_import_00000000000000000000000000000005_generators", "__wasm_split_00generators00_export_00000000000000000000000000000005_generators", {
         know(Rank::Others as u8, |registry| registry.with_all(registry::GENERATORS));

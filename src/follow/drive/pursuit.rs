@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use crate::math;
+use crate::math::{self, clamp};
 
 use super::motion::{Motion, Pose};
 
@@ -87,7 +87,7 @@ impl Course {
             let length = self.along[i + 1] - self.along[i];
             let way = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
             let relative = [point[0] - a[0], point[1] - a[1]];
-            let on = (relative[0] * way[0] + relative[1] * way[1]).clamp((from - self.along[i]).clamp(0.0, length), length);
+            let on = clamp(relative[0] * way[0] + relative[1] * way[1], clamp(from - self.along[i], 0.0, length), length);
             let on = on.min((to - self.along[i]).max(0.0));
             let rest = [relative[0] - on * way[0], relative[1] - on * way[1]];
             let aside = (rest[0] * rest[0] + rest[1] * rest[1]).sqrt();

@@ -6,7 +6,7 @@ use crate::{
     arm::{self, ArmScene, Posture},
     exact::{AmongCuboids, shortest_among_cuboids},
     geometry::{Cuboid, length_in_space},
-    kernel::{Error, Exact, SceneKindId, Solution, Verdict, error::list_of},
+    kernel::{Error, Exact, SceneKindId, Solution, Verdict, digits::coordinates, error::list_of},
     message,
     scene::check::{greater_than, limited},
 };
@@ -40,7 +40,7 @@ impl ArmScene {
     /// An end of the tip's path must lie in the workspace and touch nothing.
     fn check_end(&self, field: &str, point: [f64; 3]) -> Result<(), Error> {
         point.iter().enumerate().try_for_each(|(axis, &x)| limited(&format!("{field}[{axis}]"), x))?;
-        let shown = format!("({}, {}, {})", point[0], point[1], point[2]);
+        let shown = coordinates(&point);
         if !self.workspace.contains(point) {
             let ([x0, y0, z0], [x1, y1, z1]) = (self.workspace.min, self.workspace.max);
             let allowed = message!(

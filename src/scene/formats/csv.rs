@@ -4,7 +4,7 @@ use std::{fmt::Write, sync::Arc};
 
 use crate::{
     exact::Metric,
-    kernel::Error,
+    kernel::{Error, digits::Digits},
     message,
     scene::{
         MAX_STOPS, Scene, TourScene,
@@ -95,7 +95,7 @@ pub(super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Error> {
     let mut text = String::from("x,y\n");
     for [x, y] in &tour.points {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{x},{y}");
+        let _ = writeln!(text, "{},{}", Digits(*x), Digits(*y));
     }
     let mut notes = Vec::new();
     for (there, what) in [

@@ -6,7 +6,7 @@ use std::{fmt::Write, sync::Arc};
 use crate::{
     exact::shortest_over_cells,
     geometry::YAxis,
-    kernel::{Error, Message, json},
+    kernel::{Error, Message, digits::Digits, json},
     message,
     scene::{GridScene, grid},
 };
@@ -235,7 +235,7 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
             let (bucket, length) = ((exact.length / 4.0) as u64, exact.length);
             let mut scen = String::from("version 1\n");
             // Writing to a string cannot fail.
-            let _ = writeln!(scen, "{bucket}\t{stem}.map\t{columns}\t{rows}\t{ax}\t{ay}\t{bx}\t{by}\t{length}");
+            let _ = writeln!(scen, "{bucket}\t{stem}.map\t{columns}\t{rows}\t{ax}\t{ay}\t{bx}\t{by}\t{}", Digits(length));
             files.push(NamedFile::new(format!("{stem}.scen"), scen));
         } else {
             notes.push(message!("files-scen-no-way", "There is no .scen: without cutting corners there is no way from start to goal."));

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use crate::{
     geometry::YAxis,
-    kernel::{Error, Message, json},
+    kernel::{Error, Message, digits::Digits, json},
     message,
     scene::{GridScene, check::LARGEST, grid},
 };
@@ -293,7 +293,7 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Exported {
     let values: Vec<u8> = grid.lines().iter().flat_map(|line| line.bytes().map(|cell| if cell == b'#' { 0 } else { 254 })).collect();
     let yaml = format!(
         "image: \"{stem}.pgm\"\nmode: trinary\nresolution: {}\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
-        grid.cell
+        Digits(grid.cell)
     );
     let files =
         vec![NamedFile::new(format!("{stem}.yaml"), yaml), NamedFile::new(format!("{stem}.pgm"), pgm::write(grid.columns, &values))];

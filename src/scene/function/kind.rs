@@ -17,11 +17,12 @@ use super::{
 
 /// The kind `function`: functions to minimise, by name and by formula.
 pub const KIND: SceneKind = SceneKind {
-    read: |fields| Ok(Arc::new(if fields.has(formula::FIELD) { formula::read(fields)? } else { read::read(fields)? })),
+    read: |fields| Ok(Arc::new(if fields.has(read::EXPRESSION) { formula::read(fields)? } else { read::read(fields)? })),
     ..NAMED
 };
 
-/// The same without functions by formula, for a build that leaves out what compiles them.
+/// The same without functions by formula, for a build that leaves out what compiles them or loads it later: a scene with a formula is
+/// refused for the tool `formulas`.
 pub const NAMED: SceneKind = SceneKind {
     id: ID,
     title: words("test functions"),

@@ -10,8 +10,14 @@ use crate::{
 
 use super::{body::FunctionScene, named::Function};
 
+/// The field that a formula is in.
+pub(super) const EXPRESSION: &str = "expression";
+
 /// Reads its fields.
 pub(super) fn read(fields: &mut Fields) -> Result<FunctionScene, Error> {
+    if fields.has(EXPRESSION) {
+        return Err(Error::unknown("tool", "formulas", []));
+    }
     let function = fields.one_of("function", Function::ALL, Function::name)?;
     let dimension = dimension(fields)?;
     let mut shift = Vec::new();

@@ -4,6 +4,7 @@ use crate::{
     describe::{Draft, Generator},
     exact::Metric,
     kernel::{rng::Stream, words},
+    math::clamp,
     params::{Choice, Param, ParamValue, Parameters},
     scene::{MAX_STOPS, TOUR, TourScene},
 };
@@ -68,7 +69,7 @@ fn draw(parameters: &Parameters, seed: u64) -> Draft {
                 break;
             }
         }
-        points.push(place.map(|c| c.clamp(0.0, side)));
+        points.push(place.map(|c| clamp(c, 0.0, side)));
     }
     let size = points.len().to_string();
     Draft::new(TourScene::through(points, parameters[METRIC]), size)

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use crate::{
     exact::{Distances, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
     geometry::{self, Bounds, Cells, Field, YAxis},
-    kernel::{Error, Exact, ReferenceOptimum, SceneKindId, TourEnds, Track, Verdict, error::list_of},
+    kernel::{Error, Exact, ReferenceOptimum, SceneKindId, TourEnds, Track, Verdict, digits::coordinates, error::list_of},
     message,
     scene::{
         check::{LARGEST, coordinate, finite, from_to, nothing, positive},
@@ -290,7 +290,7 @@ impl GridScene {
     /// A point of the path must lie in the grid, and the robot must fit there; it may touch.
     fn check_point(&self, field: &str, point: [f64; 2]) -> Result<(), Error> {
         (0..2).try_for_each(|axis| coordinate(field, point, axis))?;
-        let shown = || format!("({}, {})", point[0], point[1]);
+        let shown = || coordinates(&point);
         let max = self.bounds().max;
         if (0..2).any(|axis| !(0.0..=max[axis]).contains(&point[axis])) {
             let allowed = message!("scene-inside-grid", "inside the grid, (0, 0) to ({right}, {top})", right = max[0], top = max[1]);

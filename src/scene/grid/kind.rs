@@ -8,6 +8,7 @@ use crate::{
     describe::SceneKind,
     geometry::{Bounds, Field, ObstacleField, YAxis},
     kernel::{Backdrop, Error, Exact, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict, words},
+    math::clamp,
 };
 
 use super::{
@@ -78,7 +79,7 @@ impl SceneBody for GridScene {
             blocks.iter().for_each(|block| draw(Backdrop::Margin(Bounds { min: block.min, max: block.max }, self.radius())));
         }
         for block in blocks {
-            let inside = |corner: [f64; 2]| [0, 1].map(|axis| corner[axis].clamp(0.0, bounds.max[axis]));
+            let inside = |corner: [f64; 2]| [0, 1].map(|axis| clamp(corner[axis], 0.0, bounds.max[axis]));
             draw(Backdrop::Cells(Bounds { min: inside(block.min), max: inside(block.max) }));
         }
         draw(Backdrop::Border(bounds));

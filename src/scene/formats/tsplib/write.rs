@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::{
     exact::Metric,
-    kernel::{Error, ReferenceOptimum, TourEnds},
+    kernel::{Error, ReferenceOptimum, TourEnds, digits::Digits},
     message,
     scene::{Scene, TourScene},
 };
@@ -72,7 +72,7 @@ fn matrix(tour: &TourScene, text: &mut String) {
     for row in tour.distances().rows() {
         for (j, d) in row.iter().enumerate() {
             let between = if j > 0 { " " } else { "" };
-            let _ = write!(text, "{between}{d}");
+            let _ = write!(text, "{between}{}", Digits(*d));
         }
         text.push('\n');
     }
@@ -85,6 +85,6 @@ fn matrix(tour: &TourScene, text: &mut String) {
 fn points(tour: &TourScene, swap: bool, text: &mut String) {
     for (i, &[x, y]) in tour.points.iter().enumerate() {
         let [a, b] = if swap { [y, x] } else { [x, y] };
-        let _ = writeln!(text, "{} {a} {b}", i + 1);
+        let _ = writeln!(text, "{} {} {}", i + 1, Digits(a), Digits(b));
     }
 }

@@ -10,14 +10,11 @@ use winnow::{
 };
 
 use crate::{
-    kernel::{Error, Message},
+    kernel::{Error, Message, json},
     message,
 };
 
-use super::program::Pair;
-
-/// The field of a scene that a formula is in.
-pub const FIELD: &str = "expression";
+use super::{super::read::EXPRESSION, program::Pair};
 
 /// How deep brackets, calls and choices may lie within each other.
 const DEEPEST: usize = 40;
@@ -66,7 +63,7 @@ impl Fault {
     pub fn of(self, text: &str) -> Error {
         let place = text.get(..self.at).unwrap_or(text).chars().count() + 1;
         let problem = self.problem;
-        Error::malformed(FIELD, message!("formula-at", "character {place}: {problem}", place, problem))
+        Error::malformed(EXPRESSION, message!("formula-at", "character {place}: {problem}", place, problem))
     }
 }
 
@@ -266,8 +263,8 @@ fn number(input: &mut Input<'_>) -> Read<'static, f64> {
     let end = input.current_token_start();
     input.reset(&start);
     let text = input.next_slice(end - at);
-    match text.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
+    match json::number(text) {
+        Some(number) if number.is_finite() => Ok(number),
         _ => Err(Fault::new(at, message!("formula-number", "`{text}` is no finite number", text))),
     }
 }

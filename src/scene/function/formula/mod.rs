@@ -20,8 +20,8 @@ use crate::{
     message,
 };
 
+use super::read::EXPRESSION;
 pub use functions::{FUNCTIONS, Function as FormulaFunction};
-pub(super) use grammar::FIELD;
 use program::Program;
 pub(super) use scene::read;
 
@@ -57,7 +57,7 @@ impl Formula {
     /// [`Error::Malformed`] for `expression`, with the place and with what could stand there; [`Error::Refused`] for a text of
     /// more than [`MOST_BYTES`] bytes, and for a `dimension` of 0.
     pub fn new(text: &str, dimension: usize) -> Result<Self, Error> {
-        check_bytes(grammar::FIELD, text.len(), MOST_BYTES)?;
+        check_bytes(EXPRESSION, text.len(), MOST_BYTES)?;
         if dimension == 0 {
             return Err(Error::refused("dimension", dimension, message!("scene-positive-whole", "a positive whole number")));
         }

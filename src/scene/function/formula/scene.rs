@@ -14,9 +14,12 @@ use crate::{
 };
 
 use super::{
-    super::{body::FunctionScene, named::MAX_DIMENSION, read::dimension},
+    super::{
+        body::FunctionScene,
+        named::MAX_DIMENSION,
+        read::{EXPRESSION, dimension},
+    },
     Formula,
-    grammar::FIELD,
 };
 
 /// How far from 0 a side of the search box may be.
@@ -107,7 +110,7 @@ impl Formula {
             }
         }
         let mut fields = vec![
-            (FIELD, Value::from(self.text.as_str())),
+            (EXPRESSION, Value::from(self.text.as_str())),
             ("dimension", Value::from(n)),
             ("bounds", object(vec![("min", side(low)), ("max", side(high))])),
         ];
@@ -139,7 +142,7 @@ fn far() -> Message {
 
 /// Reads the fields of such a scene.
 pub fn read(fields: &mut Fields) -> Result<FunctionScene, Error> {
-    let text = fields.text(FIELD)?;
+    let text = fields.text(EXPRESSION)?;
     let n = dimension(fields)?;
     let formula = Formula::new(&text, n.min(MAX_DIMENSION + 1))?;
     let bounds = fields.take("bounds");
