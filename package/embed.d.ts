@@ -7,7 +7,7 @@ export interface RunState {
   iteration: number
   /** The iteration at which it ends at the latest. */
   limit: number
-  status: 'running' | 'solved' | 'exhausted' | 'infeasible'
+  status: 'running' | 'solved' | 'exhausted' | 'infeasible' | 'failed'
   playing: boolean
   /** The fingerprint of what was computed up to here; empty on the way. */
   hash: string

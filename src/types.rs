@@ -99,7 +99,7 @@ struct FormulaFunction {
     /// Where the minimum is searched.
     bounds: Sides,
     /// The minimum, if it is known, with its position or without.
-    #[ts(type = "number | { value: number; position?: number[] }")]
+    #[ts(optional, type = "number | { value: number; position?: number[] }")]
     optimum: Option<f64>,
 }
 

@@ -79,6 +79,40 @@ const drawn = (session) => {
   return { vertices: vertices.slice(), spans: spans.slice() }
 }
 
+/** A scene with a function by formula. */
+const formula = (expression, dimension = 2, min = -1, max = 1) => ({
+  format: 'forage-scene',
+  version: 1,
+  kind: 'function',
+  name: 'formula',
+  title: 'Formula',
+  expression,
+  dimension,
+  bounds: { min, max },
+})
+
+test('formulas give the bits and the refusals that the native tests store', () => {
+  const { runs, refusals } = stored('formulas.json')
+  for (const { planner, expression, dimension, min, max, ...known } of runs) {
+    const session = new Session({ planner, scene: formula(expression, dimension, min, max), seed: 7 })
+    session.step(50)
+    const { cost, trouble, failed_at } = session.outcome()
+    assert.deepEqual({ status: session.status, hash: session.hash(), cost: word(cost).toString(16).padStart(16, '0') }, known, expression)
+    assert.equal(failed_at?.length, known.status === 'failed' ? dimension : undefined)
+    assert.equal(trouble !== undefined, known.status === 'failed')
+    // A link carries the formula.
+    const again = new Session(parseLink(session.link()))
+    again.seek(50)
+    assert.equal(again.hash(), known.hash)
+    session.free()
+    again.free()
+  }
+  for (const { expression, message } of refusals) {
+    const error = refusal(() => new Session({ planner: 'pso', scene: formula(expression), seed: 1 }))
+    assert.deepEqual([error.message, error.field, error.code], [message, 'expression', 'malformed'])
+  }
+})
+
 test('a frame names its layers, and a field has the colours that are given', (context) => {
   globalThis.ImageData = class {
     constructor(data, width, height) {

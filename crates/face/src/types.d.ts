@@ -373,7 +373,7 @@ export type FormulaScene = {
   /** Where the minimum is searched. */
   bounds: SearchBounds
   /** The minimum, if it is known, with its position or without. */
-  optimum: number | { value: number; position?: number[] }
+  optimum?: number | { value: number; position?: number[] }
 }
 
 /** Mean ranks of groups over common scenes and seeds, and Friedman's test of whether they differ. */

@@ -27,7 +27,8 @@ export class Heights {
       this.drop()
       return
     }
-    const key = [generation, scene.function, scene.dimension, view.x, view.y, view.scale, size.width, size.height, ramp].join()
+    const what = 'expression' in scene ? [scene.expression, JSON.stringify(scene.bounds)] : [scene.function]
+    const key = [generation, ...what, scene.dimension, view.x, view.y, view.scale, size.width, size.height, ramp].join()
     if (key === this.asked || this.busy) return
     void this.ask(key, scene, view, size, ramp)
   }

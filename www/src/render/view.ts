@@ -1,4 +1,4 @@
-import type { FunctionScene, Point, Scene } from 'forage-lab'
+import type { FormulaScene, NamedFunctionScene, Point, Scene } from 'forage-lab'
 import { stopsOf } from '../scene/stops'
 
 /** Which part of the plane is seen: the middle, and how many pixels a unit is. */
@@ -26,8 +26,8 @@ export interface Box {
 /** How small and how large a scene may be shown, 1 being as a whole. */
 export const ZOOM = { least: 0.2, most: 400 }
 
-/** Half the side of the box that a function is searched in, as its definition says. */
-const REACH: Readonly<Record<FunctionScene['function'], number>> = {
+/** Half the side of the box that a named function is searched in, as its definition says. */
+const REACH: Readonly<Record<NamedFunctionScene['function'], number>> = {
   matyas: 10,
   'egg-crate': 2 * Math.PI,
   sphere: 100,
@@ -43,8 +43,17 @@ export function extent(scene: Scene): Box {
   if (scene.kind === 'tour') return around(stopsOf(scene))
   if (scene.kind === 'arm')
     return { min: [scene.workspace.min[0], scene.workspace.min[1]], max: [scene.workspace.max[0], scene.workspace.max[1]] }
+  if ('expression' in scene) return sides(scene)
   const reach = REACH[scene.function]
   return { min: [-reach, -reach], max: [reach, reach] }
+}
+
+/** The first two sides of a search box; a single one twice, about 0. */
+function sides({ bounds: { min, max }, dimension }: FormulaScene): Box {
+  const [left, right] = [min, max].map((side) => (typeof side === 'number' ? side : (side[0] ?? 0))) as [number, number]
+  const half = (right - left) / 2
+  const [bottom, top] = [min, max].map((side) => (typeof side === 'number' ? side : (side[1] ?? 0))) as [number, number]
+  return dimension === 1 ? { min: [left, -half], max: [right, half] } : { min: [left, bottom], max: [right, top] }
 }
 
 /** All places with a margin, as the core has it. */

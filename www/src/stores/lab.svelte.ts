@@ -41,6 +41,8 @@ export class Lab {
   crash = $state('')
   /** A random map is being made. */
   making = $state(false)
+  /** A function is being written. */
+  writing = $state(false)
   /** The thread is there. */
   private opened = false
 

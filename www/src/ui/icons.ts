@@ -35,6 +35,7 @@ export const icons = {
   robot: 'M4.5 6.5h11v7h-11ZM6 4h3M11 4h3M6 16h3M11 16h3M7.5 4v2.5M12.5 4v2.5M7.5 13.5V16M12.5 13.5V16M9 8.5l3 1.5-3 1.5Z',
   trash: 'M4 6h12M8 6V4h4v2M5.8 6l.7 10.5h7L14.2 6M8.5 9v4.5M11.5 9v4.5',
   close: 'M5.5 5.5l9 9M14.5 5.5l-9 9',
+  function: 'M4 3.5v13h13M5.5 14c2.5 0 3-9 5.5-9s2.5 6 5.5 6',
   dice: 'M4 4h12v12H4ZM7.5 7.5h.01M12.5 12.5h.01M12.5 7.5h.01M7.5 12.5h.01',
   warning: 'M10 3.5 17 16H3ZM10 8.5v3.5M10 14h.01',
 } as const

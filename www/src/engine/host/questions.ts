@@ -69,14 +69,14 @@ export function questionsTo(host: RunHost) {
       await breathe()
       return painted(request, host.session)
     },
-    /** Those of another function. */
-    async preview(request: FieldRequest, planner: string): Promise<HeightMap | null> {
+    /** Those of another function; refused where it is none. */
+    async preview(request: FieldRequest, planner: string): Promise<Answer<HeightMap | null>> {
       await breathe()
       const made = await silently(() => new Session({ planner: planner as PlannerName, scene: request.scene, seed: 0 }))
-      if (!made.ok) return null
-      const picture = await painted(request, made.value)
+      if (!made.ok) return made
+      const value = await painted(request, made.value)
       made.value.free()
-      return picture
+      return { ok: true, value }
     },
     /** The postures that bring the tip to a point. */
     armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Promise<Answer<ArmSolutions>> =>

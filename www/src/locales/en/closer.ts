@@ -162,6 +162,7 @@ export const closer = {
       solved: 'solved',
       exhausted: 'iteration limit reached',
       infeasible: 'no solution',
+      failed: 'failed',
     },
     early: 'stopped early',
     tuned: (planner: string) => `Best parameters for “${planner}”`,

@@ -128,7 +128,7 @@ export const en = {
     none: 'no result yet',
     paused: 'paused',
     starting: 'starting …',
-    status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution' },
+    status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution', failed: 'failed' },
   },
   embed: {
     label: (planner: string, scene: string) => (planner ? `${planner} on ${scene}` : 'A run in Forage'),

@@ -31,7 +31,7 @@ export const race = {
     starting: 'starting …',
     computing: 'computing …',
     thinned: (n: number) => `1 of ${n} drawn`,
-    status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution' },
+    status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution', failed: 'failed' },
   },
   stageHelp:
     'Space plays and pauses. Left and right go back and on by a tick, with Shift by ten; Home and End jump. Plus and minus zoom, 0 shows all, up and down move the view: in all lanes at once.',

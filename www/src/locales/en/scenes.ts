@@ -7,6 +7,7 @@ export const scenes = {
   scene: {
     open: 'Open files',
     make: 'Random scene',
+    write: 'Function',
     drop: 'Scenes (.json), MovingAI’s maps (.map, with .scen), those of ROS’s map_server (.yaml with .pgm), and stops: TSPLIB’s (.tsp, with .tour) or points (.csv). Choose files that belong together at once, or drop them on the page.',
     object: 'Object',
     x: 'x',

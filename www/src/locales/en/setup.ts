@@ -7,6 +7,7 @@ export const setup = {
   kinds: { tour: 'Tours', grid: 'Grids', discs: 'Among discs', function: 'Test functions', arm: 'Arms in space' },
   see: 'What to see:',
   chooseCase: 'Choose one to run it',
+  own: { title: 'Your own', function: 'A function …', random: 'A random scene …' },
   nothingFound: 'Nothing has these words. Try fewer.',
   families: {
     swarm: 'Swarms',
