@@ -107,7 +107,8 @@ const spoken = (part) =>
   })
 
 /**
- * Loads parts of the module besides the first one: `grid`, `tour`, `arm`, `links`, `files`, `generators`, `pictures`, `statistics`.
+ * Loads parts of the module besides the first one: `grid`, `tour`, `arm`, `links`, `files`, `formulas`, `generators`, `pictures`,
+ * `statistics`.
  * What is there already is not loaded again.
  */
 export async function load(...parts) {
