@@ -152,7 +152,7 @@ for (const [field, entries] of Object.entries(shipped))
 for (const { name, kind } of catalogue.scenes) holds.scene[name] = holds.kind[kind]
 holds.role = {}
 // What reads a scene's field is asked for as a tool.
-holds.field = { expression: ['formulas'] }
+holds.field = { expression: ['formulas'], objective: ['code'], objectives: ['code'] }
 holds.tool = Object.fromEntries(parts.map((part) => [part, [part]]))
 write('parts.js', partsFile(holds))
 
@@ -315,6 +315,7 @@ const contents = {
   files: 'files of other programs',
   generators: 'random scenes',
   formulas: 'functions by formula',
+  code: 'functions from code',
   pictures: 'pictures as SVG',
   statistics: 'statistics of many runs',
 }

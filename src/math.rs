@@ -77,9 +77,21 @@ pub fn ordered(numbers: impl IntoIterator<Item = f64>) -> Vec<(f64, usize)> {
     pairs
 }
 
-/// Sorts numbers. One instance of the sort for all uses.
+/// Sorts numbers, by Shell's method: a fifteenth of the code of std's sort, which would be another instance of it in the download.
 pub fn sort_numbers(numbers: &mut [f64]) {
-    numbers.sort_unstable_by(f64::total_cmp);
+    let mut gap = numbers.len();
+    while gap > 1 {
+        gap = if gap < 5 { 1 } else { (gap * 5 - 1) / 11 };
+        for i in gap..numbers.len() {
+            let number = numbers[i];
+            let mut at = i;
+            while at >= gap && numbers[at - gap].total_cmp(&number).is_gt() {
+                numbers[at] = numbers[at - gap];
+                at -= gap;
+            }
+            numbers[at] = number;
+        }
+    }
 }
 
 /// cos(2π t) for `t` in turns, |t| < 2^51, to within 5e-16; exactly 1 and −1 at whole and half turns.
@@ -115,6 +127,19 @@ pub fn sum_cos_turns(turns: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_are_sorted_as_std_does() {
+        let mut rng = crate::kernel::rng::Stream::new(1, 0);
+        for n in (0..40).chain([1000, 4097]) {
+            let mut numbers: Vec<_> = (0..n).map(|_| (rng.unit() * 50.0).round() - 25.0).collect();
+            numbers.extend([-0.0, 0.0, f64::INFINITY, f64::NAN]);
+            let mut expected = numbers.clone();
+            expected.sort_by(f64::total_cmp);
+            sort_numbers(&mut numbers);
+            assert_eq!(numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), expected.iter().map(|x| x.to_bits()).collect::<Vec<_>>());
+        }
+    }
 
     #[test]
     fn a_turn_is_what_is_left_of_an_angle() {

@@ -103,6 +103,48 @@ fn the_stored_formulas_call_every_function() {
     }
 }
 
+/// What formulas are made of, and what they are not.
+const PIECES: &[&str] = &[
+    "x",
+    "y",
+    "x[",
+    "]",
+    "(",
+    ")",
+    "sum(",
+    "prod(",
+    ", i, 1, n",
+    "sin(",
+    "if(",
+    ",",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "**",
+    "%",
+    "?",
+    ":",
+    "&&",
+    "||",
+    "!",
+    "<",
+    "<=",
+    "==",
+    "1",
+    "2.5",
+    "1e3",
+    ".",
+    "n",
+    "i",
+    "pi",
+    " ",
+    "é",
+    "\u{0}",
+    "max(",
+];
+
 /// A text of any characters is refused or compiled, at once.
 #[test]
 fn any_text_is_refused_or_compiled() {
@@ -111,46 +153,6 @@ fn any_text_is_refused_or_compiled() {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 33) as usize % n
     };
-    const PIECES: &[&str] = &[
-        "x",
-        "y",
-        "x[",
-        "]",
-        "(",
-        ")",
-        "sum(",
-        "prod(",
-        ", i, 1, n",
-        "sin(",
-        "if(",
-        ",",
-        "+",
-        "-",
-        "*",
-        "/",
-        "^",
-        "**",
-        "%",
-        "?",
-        ":",
-        "&&",
-        "||",
-        "!",
-        "<",
-        "<=",
-        "==",
-        "1",
-        "2.5",
-        "1e3",
-        ".",
-        "n",
-        "i",
-        "pi",
-        " ",
-        "é",
-        "\u{0}",
-        "max(",
-    ];
     let (mut compiled, mut refused) = (0, 0);
     for _ in 0..20_000 {
         let text: String = (0..next(14)).map(|_| PIECES[next(PIECES.len())]).collect();

@@ -113,6 +113,99 @@ test('formulas give the bits and the refusals that the native tests store', () =
   }
 })
 
+test('a function from code is run, recorded and compared like one by formula, and has no link', () => {
+  const bounds = { min: -5, max: [5, 6] }
+  const bowl = ([x, y]) => (x - 1) ** 2 + (y + 2) ** 2 + 3
+  const written = { ...formula('(x - 1)^2 + (y + 2)^2 + 3', 2), bounds }
+  let calls = 0
+  const scenes = {
+    one: {
+      dimension: 2,
+      bounds,
+      objective: (x) => {
+        calls += 1
+        return bowl(x)
+      },
+    },
+    many: {
+      ...formula('', 2),
+      expression: undefined,
+      bounds,
+      name: 'mine',
+      title: 'Mine',
+      optimum: { value: 3, position: [1, -2] },
+      objectives: (xs, n) => Array.from({ length: xs.length / n }, (_, k) => bowl(xs.subarray(k * n, (k + 1) * n))),
+    },
+  }
+  delete scenes.many.expression
+  for (const planner of ['pso', 'wcpso', 'qpso', 'bat-continuous', 'cuckoo-search']) {
+    const by = (scene) => {
+      const session = new Session({ planner, scene, seed: 4 })
+      session.step(60)
+      session.rewind(0)
+      session.step(50)
+      const { cost, position, evaluations } = session.outcome()
+      return { session, found: { cost, position, evaluations, trace: session.csv() } }
+    }
+    const known = by(written)
+    for (const scene of Object.values(scenes)) {
+      const { session, found } = by(scene)
+      assert.deepEqual(found, known.found, planner)
+      assert.match(refusal(() => session.link()).message, /code/)
+      session.free()
+    }
+    known.session.free()
+  }
+  assert.ok(calls > 1000)
+  const session = new Session({ planner: 'pso', scene: scenes.many, seed: 1 })
+  assert.deepEqual([session.scene.name, session.scene.objective, session.outcome().exact], ['mine', undefined, 3])
+  session.free()
+  const trial = new Trial({ planner: 'pso', scene: scenes.many, seed: 1 })
+  trial.step(1e9)
+  assert.ok(trial.record().value - 3 < 1e-6)
+  trial.free()
+})
+
+test('a function from code that does wrong ends its run with the reason, or is refused', () => {
+  const scene = (objective, more = {}) => ({ dimension: 1, bounds: { min: -1, max: 1 }, objective, ...more })
+  const end = (scene) => {
+    const session = new Session({ planner: 'pso', scene, seed: 1 })
+    session.step(20)
+    const { status, trouble, failed_at } = session.outcome()
+    session.free()
+    return { status, trouble, failed_at }
+  }
+  const throws = end(
+    scene(([x]) => {
+      if (x > 0.5) throw new RangeError('no way')
+      return x
+    }),
+  )
+  assert.equal(throws.status, 'failed')
+  assert.match(throws.trouble, /throws “no way”, at \(0\.\d+\)/)
+  assert.ok(throws.failed_at[0] > 0.5)
+  assert.match(end(scene(() => 'much')).trouble, /gives "much" instead of a number/)
+  assert.match(end(scene(() => Number.NaN)).trouble, /is not a number/)
+  // Infinity is a position that is forbidden.
+  assert.deepEqual(end(scene(([x]) => (x > 0 ? Number.POSITIVE_INFINITY : -x))), { status: 'running', trouble: undefined, failed_at: undefined })
+  const { objective: _one, ...empty } = scene()
+  assert.match(end({ ...empty, objectives: () => [1] }).trouble, /a list of 1 instead of a list of 60 numbers/)
+  assert.match(end({ ...empty, objectives: () => 1 }).trouble, /instead of a list/)
+  let n = 0
+  for (const [wrong, field] of [
+    [scene(() => (n += 1)), 'objective'],
+    [scene(() => 1, { dimension: 101 }), 'dimension'],
+    [scene(() => 1, { bounds: { min: 1, max: 1 } }), 'bounds.max[0]'],
+    [scene(() => 1, { optimum: { value: 0, position: [0] } }), 'optimum.value'],
+    [scene(() => 1, { kind: 'grid' }), 'kind'],
+    [scene(() => 1, { objectives: () => [] }), 'objective'],
+    [scene(() => 1, { more: 1 }), 'more'],
+    [scene(1), 'objective'],
+  ])
+    assert.equal(refusal(() => new Session({ planner: 'pso', scene: wrong, seed: 1 })).field, field)
+  assert.equal(refusal(() => new Session({ planner: 'a-star', scene: scene(() => 1), seed: 1 })).field, 'planner')
+})
+
 test('a frame names its layers, and a field has the colours that are given', (context) => {
   globalThis.ImageData = class {
     constructor(data, width, height) {

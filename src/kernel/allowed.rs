@@ -39,6 +39,7 @@ said! {
     colors "error-colors" "2 to 16 colours";
     plain "error-plain" "made of plain objects, lists, texts, numbers, true, false and null";
     nothing "error-nothing" "nothing";
+    function "error-function" "a function";
     object "error-an-object" "an object";
     iterable "error-iterable" "an iterable object";
     unreadable "error-unreadable" "an object that cannot be read";

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{math, message};
 
 use super::{
-    Error, Frame, Readings, Solution, State,
+    Error, Frame, Message, Readings, Solution, State,
     error::{finite, list_of},
     rng::Stream,
 };
@@ -133,9 +133,9 @@ pub trait Objective: Send + Sync {
             *out = self.evaluate(x, scratch);
         }
     }
-    /// Whether this cost ends a run with [`Status::Failed`](super::Status): NaN and infinity where the objective is defined everywhere.
-    fn refuses(&self, _cost: f64) -> bool {
-        false
+    /// Why a cost that is NaN or infinite ends a run with [`Status::Failed`](super::Status): a sentence without a full stop. `None`: it does not.
+    fn refuses(&self, _cost: f64) -> Option<Message> {
+        None
     }
     /// Draws a position before the first iteration, uniformly in the search box unless there is a better way.
     fn draw(&self, x: &mut [f64], rng: &mut Stream) {

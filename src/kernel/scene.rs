@@ -44,6 +44,13 @@ pub struct Header {
     pub published: Option<Value>,
 }
 
+impl Header {
+    /// Name and title, and nothing else.
+    pub fn named(name: impl Into<String>, title: impl Into<String>) -> Self {
+        Self { name: name.into(), title: title.into(), note: None, source: None, units: None, exact: None, published: None }
+    }
+}
+
 /// A valid scene. Copies share the body, and its optima once they are computed.
 #[derive(Clone)]
 pub struct Scene {

@@ -67,6 +67,11 @@ pub trait SceneBody: Any + Send + Sync {
     /// Adds its fields in the order in which a file lists them. Two bodies that write the same are equal.
     fn write(&self, out: &mut Vec<(&'static str, Value)>);
 
+    /// Whether part of it is code, which neither a file nor a link can hold.
+    fn is_code(&self) -> bool {
+        false
+    }
+
     /// Draws what lies under all layers of a picture, piece by piece from bottom to top.
     fn backdrop(&self, _draw: &mut dyn FnMut(Backdrop)) {}
 

@@ -143,10 +143,22 @@ impl Run {
         Self::new(registry, Link::parse(registry, link)?.setup)
     }
 
+    /// Refuses a run on a scene that is code.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for `scene`.
+    pub fn check_link(&self) -> Result<(), Error> {
+        if !self.scene().body().is_code() {
+            return Ok(());
+        }
+        let found = message!("link-code", "one whose function is code");
+        Err(Error::refused("scene", found, message!("link-no-code", "one with a named function or a formula: a link carries no code")))
+    }
+
     /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash. `None` where nobody else could
-    /// open it: if no registry lists the planner, and within a step.
+    /// open it: if no registry lists the planner, where the scene is code, and within a step.
     pub fn link(&self) -> Option<String> {
-        let registry = self.registry().filter(|_| !self.is_partly())?;
+        let registry = self.registry().filter(|_| !self.is_partly() && !self.scene().body().is_code())?;
         let setup = Setup {
             planner: self.entry().name.to_owned(),
             scene: Arc::clone(self.scene()),

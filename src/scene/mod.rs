@@ -14,6 +14,7 @@ pub mod grid;
 pub mod grid_path;
 mod moving;
 mod reach;
+mod shipped;
 #[cfg(test)]
 mod tests;
 pub mod tour;

@@ -28,9 +28,9 @@ pub struct Population {
     /// What was evaluated at once.
     #[state(skip)]
     pub(super) found: Vec<Evaluation>,
-    /// The first position whose cost the objective refused, which ends the run, and that cost; none: empty.
-    #[state(skip)]
-    refused: Vec<f64>,
+    /// The first position whose cost the objective refused, which ends the run.
+    #[state(shared)]
+    refused: Option<Box<Refused>>,
     #[state(shared)]
     pub(super) size: usize,
     #[state(shared)]
@@ -91,7 +91,7 @@ impl Population {
             objective,
             scratch: Scratch::default(),
             found: vec![Evaluation::from(0.0); portion(size, dimension)],
-            refused: Vec::new(),
+            refused: None,
             size,
             dimension,
             p: vec![0.0; size * dimension],
@@ -232,9 +232,10 @@ impl Population {
     /// A cost that is no number, or infinite.
     #[cold]
     fn refuse(&mut self, i: usize) {
-        if self.refused.is_empty() && self.objective.refuses(self.cost[i]) {
-            self.refused.extend(&self.x[self.row(i)]);
-            self.refused.push(self.cost[i]);
+        if self.refused.is_none()
+            && let Some(why) = self.objective.refuses(self.cost[i])
+        {
+            self.refused = Some(Box::new(Refused { at: self.x[self.row(i)].to_vec(), why }));
         }
     }
 
@@ -265,14 +266,14 @@ impl Population {
 
     /// Whether the run can go on: not after a cost that the objective refuses.
     pub fn progress(&self) -> Progress {
-        if self.refused.is_empty() { Progress::Continue } else { Progress::Done(Status::Failed) }
+        if self.refused.is_none() { Progress::Continue } else { Progress::Done(Status::Failed) }
     }
 
     /// Ends an iteration of a run that stops by this clock.
     pub(super) fn end(&mut self, clock: &mut Clock) -> Progress {
         self.settle();
         let progress = clock.tick(self.bests());
-        if self.refused.is_empty() { progress } else { self.progress() }
+        if self.refused.is_none() { progress } else { self.progress() }
     }
 
     /// The position that is reported, with its cost: the cheapest without penalty, or else the cheapest.
@@ -349,24 +350,27 @@ impl Held {
     }
 }
 
+/// A position whose cost was refused. What follows from the cost, which is hashed, is not hashed again.
+#[derive(Debug, Clone)]
+struct Refused {
+    at: Vec<f64>,
+    why: Message,
+}
+
 /// So many coordinates of a position are said.
 const SAID: usize = 6;
 
 impl Failure for Population {
     fn failure(&self, _status: Status) -> Option<Message> {
-        let (&cost, x) = self.refused.split_last()?;
-        let mut position: Vec<_> = x.iter().take(SAID).map(|x| Digits(*x).to_string()).collect();
-        position.extend((x.len() > SAID).then(|| "…".to_owned()));
-        let position = position.join(", ");
-        Some(if cost.is_nan() {
-            message!("swarm-cost-nan", "the function’s value at ({position}) is not a number", position)
-        } else {
-            message!("swarm-cost-infinite", "the function’s value at ({position}) is infinite", position)
-        })
+        let Refused { at, why } = &**self.refused.as_ref()?;
+        let mut position: Vec<_> = at.iter().take(SAID).map(|x| Digits(*x).to_string()).collect();
+        position.extend((at.len() > SAID).then(|| "…".to_owned()));
+        let (position, why) = (position.join(", "), why.clone());
+        Some(message!("swarm-refused", "{why}, at ({position})", why, position))
     }
 
     fn failed_at(&self) -> Option<&[f64]> {
-        self.refused.split_last().map(|(_, x)| x)
+        self.refused.as_ref().map(|refused| &*refused.at)
     }
 }
 

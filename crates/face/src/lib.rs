@@ -12,10 +12,11 @@
 //!
 //! `types` names what crosses the boundary, `read` checks what comes in, this file does the work of a run. What few runs need is
 //! a tool: the linker keeps everything that is exported, so an export only passes on to what a module has offered
-//! (`offer_arm`, `offer_files`, `offer_links`, `offer_pictures`, `offer_statistics`).
+//! (`offer_arm`, `offer_code`, `offer_files`, `offer_links`, `offer_pictures`, `offer_statistics`).
 #![cfg(target_arch = "wasm32")]
 
 mod arm;
+mod code;
 mod convert;
 mod field;
 mod files;
@@ -47,6 +48,7 @@ use forage::{
 };
 
 pub use arm::{arm_pose, arm_solutions, offer_arm, reachability};
+pub use code::offer_code;
 pub use files::{export_scene, import_scene, offer_files};
 pub use generate::generate_scene;
 pub use links::{offer_links, parse_link};

@@ -6,11 +6,12 @@ use wasm_bindgen::prelude::*;
 
 use forage::{Error, Link, Registry, run::Run};
 
-use crate::{JsLinkSetup, JsText, Session, Trial, plain, read::read_text, registry::ask, tool::Tool};
+use crate::{JsLinkSetup, JsText, Session, Trial, js_error, plain, read::read_text, registry::ask, tool::Tool};
 
 struct Links {
     parse: fn(&Registry, &str) -> Result<Link, Error>,
     open: fn(&Arc<Registry>, &str) -> Result<Run, Error>,
+    check: fn(&Run) -> Result<(), Error>,
     of: fn(&Run) -> Option<String>,
 }
 
@@ -18,12 +19,14 @@ static LINKS: Tool<Links> = Tool::new("links");
 
 /// Offers links.
 pub fn offer_links() {
-    LINKS.offer(&Links { parse: Link::parse, open: Run::from_link, of: Run::link });
+    LINKS.offer(&Links { parse: Link::parse, open: Run::from_link, check: Run::check_link, of: Run::link });
 }
 
 /// The link of a run; empty where nobody could open it.
 fn link_of(run: &Run) -> Result<String, JsValue> {
-    Ok((LINKS.get()?.of)(run).unwrap_or_default())
+    let links = LINKS.get()?;
+    (links.check)(run).map_err(js_error)?;
+    Ok((links.of)(run).unwrap_or_default())
 }
 
 /// Takes a link apart without running it.

@@ -22,7 +22,26 @@ export type ParametersOf = Record<PlannerName, Record<string, ParameterValue>>
 export type Configured = { [P in PlannerName]: { planner: P; params: ParametersOf[P] } }[PlannerName]
 
 /** What is run. */
-export type Setup = { scene: Scene | SceneName /** 0 … 2^53 − 1. Default 1. */; seed?: number } & (
+/**
+ * A function from code, which is minimised. It must always give the same number at the same position; one that is not a number ends the
+ * run, an infinite one is never the best. Such a run has no link, and cannot go to a thread.
+ */
+export type CodeScene = {
+  kind?: 'function'
+  /** The number of variables, 1 to 100. */
+  dimension: number
+  /** Where the minimum is searched. */
+  bounds: SearchBounds
+  /** The minimum, if it is known, with its position or without. */
+  optimum?: number | { value: number; position?: number[] }
+  name?: string
+  title?: string
+  note?: string
+} & (
+  | { /** The value at a position. */ objective: (x: Float64Array) => number }
+  | { /** The values at many positions of `dimension` numbers, one after the other in `xs`. */ objectives: (xs: Float64Array, dimension: number) => ArrayLike<number> }
+)
+export type Setup = { scene: Scene | SceneName | CodeScene /** 0 … 2^53 − 1. Default 1. */; seed?: number } & (
   | { planner: PlannerName; params?: undefined }
   | { [P in PlannerName]: { planner: P /** Only what differs from the defaults is needed. */; params?: ParametersOf[P] } }[PlannerName]
 )

@@ -10,7 +10,7 @@ use forage::{
     kernel::{Item, LayerKey, Message, SceneKindId, allowed, digits::Digits, javascript, limits},
 };
 
-use crate::{JsNumber, JsRamp, js_error, registry::ask};
+use crate::{JsNumber, JsRamp, code::scene_of, js_error, registry::ask};
 
 /// A value that is not what it must be.
 pub(crate) fn refused(field: &str, value: &JsValue, allowed: Message) -> JsValue {
@@ -70,7 +70,10 @@ pub(crate) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
 pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     match value.as_string() {
         Some(name) => ask(|registry| registry.scene(&name)),
-        None => same_scene(value),
+        None => match scene_of(value)? {
+            Some(scene) => Ok(scene),
+            None => same_scene(value),
+        },
     }
 }
 

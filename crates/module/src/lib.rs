@@ -5,7 +5,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use forage::{follow, registry, scene};
-use forage_face::{know, offer_arm, offer_files, offer_links, offer_pictures, offer_statistics};
+use forage_face::{know, offer_arm, offer_code, offer_files, offer_links, offer_pictures, offer_statistics};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Where the entries of a part are among all: in the order of the library's own list.
@@ -93,6 +93,9 @@ parts! {
     }
     formulas, "__wasm_split_00formulas00_import_00000000000000000000000000000009_formulas", "__wasm_split_00formulas00_export_00000000000000000000000000000009_formulas", {
         know(Rank::Function as u8, |registry| registry.with(&scene::function::KIND));
+    }
+    code, "__wasm_split_00code00_import_00000000000000000000000000000010_code", "__wasm_split_00code00_export_00000000000000000000000000000010_code", {
+        offer_code();
     }
     generators, "__wasm_split_00generators00_import_00000000000000000000000000000005_generators", "__wasm_split_00generators00_export_00000000000000000000000000000005_generators", {
         know(Rank::Others as u8, |registry| registry.with_all(registry::GENERATORS));

@@ -9,6 +9,7 @@ use crate::{
     describe::SceneKind,
     geometry::Bounds,
     kernel::{Backdrop, Error, SceneBody, SceneKindId, Solution, Verdict, words},
+    scene::shipped::shipped,
 };
 
 use super::{body::ID, read};
@@ -23,10 +24,10 @@ pub const KIND: SceneKind = SceneKind {
         Some(_) => None,
     }),
     shipped: &[
-        include_str!("../../../scenes/arm-cuboid.json"),
-        include_str!("../../../scenes/arm-free.json"),
-        include_str!("../../../scenes/arm-bench.json"),
-        include_str!("../../../scenes/arm-puma.json"),
+        shipped!("../../../scenes/arm-cuboid.json"),
+        shipped!("../../../scenes/arm-free.json"),
+        shipped!("../../../scenes/arm-bench.json"),
+        shipped!("../../../scenes/arm-puma.json"),
     ],
 };
 

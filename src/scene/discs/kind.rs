@@ -8,6 +8,7 @@ use crate::{
     describe::SceneKind,
     geometry::Bounds,
     kernel::{Backdrop, Error, Plane, SceneBody, SceneKindId, Solution, Verdict, words},
+    scene::shipped::shipped,
 };
 
 use super::{
@@ -22,9 +23,9 @@ pub const KIND: SceneKind = SceneKind {
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: Some(|scene, _, ends| if ends.is_none() { scene.get::<DiscsScene>().ok()?.shortest() } else { None }),
     shipped: &[
-        include_str!("../../../scenes/wcpso-discs.json"),
-        include_str!("../../../scenes/discs-gate.json"),
-        include_str!("../../../scenes/discs-slalom.json"),
+        shipped!("../../../scenes/wcpso-discs.json"),
+        shipped!("../../../scenes/discs-gate.json"),
+        shipped!("../../../scenes/discs-slalom.json"),
     ],
 };
 

@@ -41,6 +41,8 @@ pub(super) enum Source {
         fields: Vec<(&'static str, Value)>,
         minimum: Option<Minimum>,
         minimiser: Option<Vec<f64>>,
+        /// The fields do not say what it computes.
+        code: bool,
     },
 }
 
@@ -64,8 +66,9 @@ impl FunctionScene {
         fields: Vec<(&'static str, Value)>,
         minimum: Option<Minimum>,
         minimiser: Option<Vec<f64>>,
+        code: bool,
     ) -> Self {
-        Self { objective, source: Source::Written { fields, minimum, minimiser } }
+        Self { objective, source: Source::Written { fields, minimum, minimiser, code } }
     }
 
     pub(super) fn check_fields(&self) -> Result<(), Error> {

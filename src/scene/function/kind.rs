@@ -8,6 +8,7 @@ use crate::{
     describe::SceneKind,
     geometry::Bounds,
     kernel::{Error, Minimum, SceneBody, SceneKindId, Solution, Verdict, words},
+    scene::shipped::shipped,
 };
 
 use super::{
@@ -29,16 +30,16 @@ pub const NAMED: SceneKind = SceneKind {
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: None,
     shipped: &[
-        include_str!("../../../scenes/sphere.json"),
-        include_str!("../../../scenes/sphere-2.json"),
-        include_str!("../../../scenes/sphere-4.json"),
-        include_str!("../../../scenes/rosenbrock.json"),
-        include_str!("../../../scenes/rosenbrock-2.json"),
-        include_str!("../../../scenes/ackley.json"),
-        include_str!("../../../scenes/ackley-2.json"),
-        include_str!("../../../scenes/rastrigin.json"),
-        include_str!("../../../scenes/matyas.json"),
-        include_str!("../../../scenes/egg-crate.json"),
+        shipped!("../../../scenes/sphere.json"),
+        shipped!("../../../scenes/sphere-2.json"),
+        shipped!("../../../scenes/sphere-4.json"),
+        shipped!("../../../scenes/rosenbrock.json"),
+        shipped!("../../../scenes/rosenbrock-2.json"),
+        shipped!("../../../scenes/ackley.json"),
+        shipped!("../../../scenes/ackley-2.json"),
+        shipped!("../../../scenes/rastrigin.json"),
+        shipped!("../../../scenes/matyas.json"),
+        shipped!("../../../scenes/egg-crate.json"),
     ],
 };
 
@@ -68,6 +69,10 @@ impl SceneBody for FunctionScene {
             Source::Named(named) => named.write(out),
             Source::Written { fields, .. } => out.extend(fields.iter().cloned()),
         }
+    }
+
+    fn is_code(&self) -> bool {
+        matches!(self.source, Source::Written { code: true, .. })
     }
 
     fn minimum(&self) -> Option<Minimum> {

@@ -9,6 +9,7 @@ use crate::{
     geometry::{Bounds, Field, ObstacleField, YAxis},
     kernel::{Backdrop, Error, Exact, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict, words},
     math::clamp,
+    scene::shipped::shipped,
 };
 
 use super::{
@@ -23,14 +24,14 @@ pub const KIND: SceneKind = SceneKind {
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: Some(optimum),
     shipped: &[
-        include_str!("../../../scenes/qpso-10m.json"),
-        include_str!("../../../scenes/qpso-10m-empty.json"),
-        include_str!("../../../scenes/ant-bat-30.json"),
-        include_str!("../../../scenes/wolf-ant-20.json"),
-        include_str!("../../../scenes/rooms-20.json"),
-        include_str!("../../../scenes/crossing.json"),
-        include_str!("../../../scenes/patrol.json"),
-        include_str!("../../../scenes/corridor.json"),
+        shipped!("../../../scenes/qpso-10m.json"),
+        shipped!("../../../scenes/qpso-10m-empty.json"),
+        shipped!("../../../scenes/ant-bat-30.json"),
+        shipped!("../../../scenes/wolf-ant-20.json"),
+        shipped!("../../../scenes/rooms-20.json"),
+        shipped!("../../../scenes/crossing.json"),
+        shipped!("../../../scenes/patrol.json"),
+        shipped!("../../../scenes/corridor.json"),
     ],
 };
 

@@ -8,6 +8,7 @@ use crate::{
     describe::SceneKind,
     geometry::Bounds,
     kernel::{Error, SceneBody, SceneKindId, Solution, Stops, Verdict, words},
+    scene::shipped::shipped,
 };
 
 use super::{
@@ -22,10 +23,10 @@ pub const KIND: SceneKind = SceneKind {
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: Some(|scene, _, ends| scene.get::<TourScene>().ok()?.shortest_tour(ends?, scene.header().exact.as_ref())),
     shipped: &[
-        include_str!("../../../scenes/open-12.json"),
-        include_str!("../../../scenes/random-52.json"),
-        include_str!("../../../scenes/clustered-100.json"),
-        include_str!("../../../scenes/random-280.json"),
+        shipped!("../../../scenes/open-12.json"),
+        shipped!("../../../scenes/random-52.json"),
+        shipped!("../../../scenes/clustered-100.json"),
+        shipped!("../../../scenes/random-280.json"),
     ],
 };
 

@@ -6,8 +6,7 @@ use serde_json::Value;
 
 use crate::{
     kernel::{
-        Error, Message, Minimum,
-        fields::{Fields, each, number, object, shown},
+        Error, Fields, Message,
         objective::{Evaluation, Objective, Scratch, SearchBox},
     },
     message,
@@ -16,14 +15,11 @@ use crate::{
 use super::{
     super::{
         body::FunctionScene,
-        named::MAX_DIMENSION,
+        own::{self, Origin},
         read::{EXPRESSION, dimension},
     },
     Formula,
 };
-
-/// How far from 0 a side of the search box may be.
-const FARTHEST: f64 = 1e15;
 
 /// A formula over a box.
 struct FormulaObjective {
@@ -49,8 +45,11 @@ impl Objective for FormulaObjective {
         });
     }
 
-    fn refuses(&self, cost: f64) -> bool {
-        !cost.is_finite()
+    fn refuses(&self, cost: f64) -> Option<Message> {
+        if cost.is_nan() {
+            return Some(message!("function-nan", "the function’s value is not a number"));
+        }
+        cost.is_infinite().then(|| message!("function-infinite", "the function’s value is infinite"))
     }
 }
 
@@ -70,119 +69,23 @@ impl Formula {
     /// # Ok::<(), forage::Error>(())
     /// ```
     pub fn over(self, search_box: SearchBox, minimum: Option<f64>, minimiser: Option<Vec<f64>>) -> Result<FunctionScene, Error> {
-        let (n, minimum) = (self.dimension, minimum.map(|value| Minimum { value, stated: true }));
-        if n > MAX_DIMENSION {
-            let allowed = message!("scene-most-variables", "a whole number from 1 to {most}", most = MAX_DIMENSION);
-            return Err(Error::refused("dimension", n, allowed));
+        own::check_dimension(self.dimension)?;
+        if search_box.dimension() != self.dimension {
+            let allowed = message!("scene-sides-of", "as many sides as there are variables, {n}", n = self.dimension);
+            return Err(Error::refused("bounds", search_box.dimension(), allowed));
         }
-        let (low, high) = (search_box.low(), search_box.high());
-        if low.len() != n {
-            return Err(Error::refused("bounds", low.len(), message!("scene-sides", "a number, or {n} of them, one for each variable", n)));
-        }
-        for (j, (&low, &high)) in low.iter().zip(high).enumerate() {
-            if low.abs() > FARTHEST {
-                return Err(Error::refused(format!("bounds.min[{j}]"), low, far()));
-            }
-            if high.abs() > FARTHEST {
-                return Err(Error::refused(format!("bounds.max[{j}]"), high, far()));
-            }
-            if low >= high {
-                return Err(Error::refused(format!("bounds.max[{j}]"), high, message!("scene-above", "a number above {low}", low)));
-            }
-        }
-        if let Some(minimiser) = &minimiser {
-            if minimiser.len() != n {
-                let allowed = message!("scene-numbers", "a list of {n} numbers, one for each variable", n);
-                return Err(Error::refused("optimum.position", minimiser.len(), allowed));
-            }
-            for (j, (&x, (&low, &high))) in minimiser.iter().zip(low.iter().zip(high)).enumerate() {
-                if !(low..=high).contains(&x) {
-                    let allowed = message!("error-from-to", "from {min} to {max}", min = low, max = high);
-                    return Err(Error::refused(format!("optimum.position[{j}]"), x, allowed));
-                }
-            }
-            let value = self.value(minimiser, &mut Vec::new());
-            if let Some(minimum) = minimum
-                && (value.is_nan() || (value - minimum.value).abs() > minimum.rounding())
-            {
-                let allowed = message!("scene-minimum-there", "the value at its position, {value}", value);
-                return Err(Error::refused("optimum.value", minimum.value, allowed));
-            }
-        }
-        let mut fields = vec![
-            (EXPRESSION, Value::from(self.text.as_str())),
-            ("dimension", Value::from(n)),
-            ("bounds", object(vec![("min", side(low)), ("max", side(high))])),
-        ];
-        if let Some(minimum) = minimum {
-            fields.push((
-                "optimum",
-                match &minimiser {
-                    Some(position) => object(vec![("value", Value::from(minimum.value)), ("position", Value::from(position.as_slice()))]),
-                    None => Value::from(minimum.value),
-                },
-            ));
-        }
-        let objective = Arc::new(FormulaObjective { formula: self, search_box });
-        Ok(FunctionScene::written(objective, fields, minimum, minimiser))
+        let text = Value::from(self.text.as_str());
+        own::scene(Arc::new(FormulaObjective { formula: self, search_box }), Origin::Field(EXPRESSION, text), minimum, minimiser)
     }
-}
-
-/// One number where all sides are the same.
-fn side(of: &[f64]) -> Value {
-    match of {
-        [first, others @ ..] if others.iter().all(|other| other == first) => Value::from(*first),
-        _ => Value::from(of),
-    }
-}
-
-fn far() -> Message {
-    message!("error-from-to", "from {min} to {max}", min = -FARTHEST, max = FARTHEST)
 }
 
 /// Reads the fields of such a scene.
 pub fn read(fields: &mut Fields) -> Result<FunctionScene, Error> {
     let text = fields.text(EXPRESSION)?;
     let n = dimension(fields)?;
-    let formula = Formula::new(&text, n.min(MAX_DIMENSION + 1))?;
-    let bounds = fields.take("bounds");
-    let allowed = || message!("scene-box", "an object with min and max, each a number or a list of {n} numbers", n);
-    let mut bounds = Fields::of("bounds", bounds, allowed())?;
-    let low = sides(&mut bounds, "min", n)?;
-    let high = sides(&mut bounds, "max", n)?;
-    bounds.end()?;
-    let (value, position) = optimum(fields)?;
-    formula.over(SearchBox::of(low.into_iter().zip(high).map(|(low, high)| [low, high])), value, position)
-}
-
-/// A number for all sides, or one for each.
-fn sides(bounds: &mut Fields, name: &'static str, n: usize) -> Result<Vec<f64>, Error> {
-    let found = bounds.take(name);
-    let path = bounds.path(name);
-    match found {
-        Value::Number(_) => Ok(vec![number(path, &found)?; n]),
-        Value::Array(items) if items.len() == n => each(&path, items, |at, value| number(at.to_owned(), &value)),
-        _ => Err(Error::refused(path, shown(&found), message!("scene-sides", "a number, or {n} of them, one for each variable", n))),
-    }
-}
-
-/// The minimum and where it is, as far as they are stated.
-fn optimum(fields: &mut Fields) -> Result<(Option<f64>, Option<Vec<f64>>), Error> {
-    match fields.optional("optimum") {
-        None => Ok((None, None)),
-        Some(value @ Value::Number(_)) => Ok((Some(number("optimum".to_owned(), &value)?), None)),
-        Some(value) => {
-            let allowed = message!("scene-optimum", "a number, or an object with value and position");
-            let mut optimum = Fields::of("optimum", value, allowed)?;
-            let value = optimum.number("value")?;
-            let position = if optimum.has("position") {
-                Some(each("optimum.position", optimum.list("position")?, |at, value| number(at.to_owned(), &value))?)
-            } else {
-                None
-            };
-            optimum.allow("position");
-            optimum.end()?;
-            Ok((Some(value), position))
-        }
-    }
+    own::check_dimension(n)?;
+    let formula = Formula::new(&text, n)?;
+    let search_box = own::read_box(fields, n)?;
+    let (value, position) = own::read_optimum(fields)?;
+    formula.over(search_box, value, position)
 }
