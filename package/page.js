@@ -107,8 +107,8 @@ const spoken = (part) =>
   })
 
 /**
- * Loads parts of the module besides the first one: `grid`, `tour`, `arm`, `links`, `files`, `formulas`, `generators`, `pictures`,
- * `statistics`.
+ * Loads parts of the module besides the first one: `grid`, `tour`, `arm`, `links`, `files`, `formulas`, `code`, `generators`,
+ * `pictures`, `statistics`.
  * What is there already is not loaded again.
  */
 export async function load(...parts) {

@@ -27,6 +27,11 @@ export function sessionIn(open) {
     }
 
     static start(setup, options) {
+      const code = ['objective', 'objectives'].find((name) => typeof setup?.scene?.[name] === 'function')
+      if (code !== undefined) {
+        const error = new TypeError(`scene.${code}: a function cannot go to a thread; use a Session, or write it as an expression`)
+        return Promise.reject(Object.assign(error, { field: `scene.${code}` }))
+      }
       return WorkerSession.#made('start', setup, options)
     }
 

@@ -187,7 +187,11 @@ test('a function from code that does wrong ends its run with the reason, or is r
   assert.match(end(scene(() => 'much')).trouble, /gives "much" instead of a number/)
   assert.match(end(scene(() => Number.NaN)).trouble, /is not a number/)
   // Infinity is a position that is forbidden.
-  assert.deepEqual(end(scene(([x]) => (x > 0 ? Number.POSITIVE_INFINITY : -x))), { status: 'running', trouble: undefined, failed_at: undefined })
+  assert.deepEqual(end(scene(([x]) => (x > 0 ? Number.POSITIVE_INFINITY : -x))), {
+    status: 'running',
+    trouble: undefined,
+    failed_at: undefined,
+  })
   const { objective: _one, ...empty } = scene()
   assert.match(end({ ...empty, objectives: () => [1] }).trouble, /a list of 1 instead of a list of 60 numbers/)
   assert.match(end({ ...empty, objectives: () => 1 }).trouble, /instead of a list/)

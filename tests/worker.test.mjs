@@ -62,6 +62,8 @@ test('what a frame brings lasts, and so does the session', async () => {
 
 test('what is refused has its fields, and calls are answered in their order', async () => {
   await assert.rejects(WorkerSession.start({ ...setup, planner: 'acco' }), { code: 'unknown', field: 'planner', value: 'acco' })
+  const scene = { dimension: 1, bounds: { min: 0, max: 1 }, objective: ([x]) => x }
+  await assert.rejects(WorkerSession.start({ planner: 'pso', scene }), { field: 'scene.objective' })
   assert.throws(() => new WorkerSession(), TypeError)
   const session = await WorkerSession.start(setup)
   const told = await Promise.all([

@@ -39,7 +39,12 @@ export type CodeScene = {
   note?: string
 } & (
   | { /** The value at a position. */ objective: (x: Float64Array) => number }
-  | { /** The values at many positions of `dimension` numbers, one after the other in `xs`. */ objectives: (xs: Float64Array, dimension: number) => ArrayLike<number> }
+  | {
+      /** The values at many positions of `dimension` numbers, one after the other in `xs`. */ objectives: (
+        xs: Float64Array,
+        dimension: number,
+      ) => ArrayLike<number>
+    }
 )
 export type Setup = { scene: Scene | SceneName | CodeScene /** 0 … 2^53 − 1. Default 1. */; seed?: number } & (
   | { planner: PlannerName; params?: undefined }

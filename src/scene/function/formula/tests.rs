@@ -182,7 +182,7 @@ fn fields_of_a_scene_are_checked() {
     let unit = r#"{"min": 0, "max": 1}"#;
     for (fields, field, expected) in [
         (r#""expression": "x +", "dimension": 2"#.to_owned(), "expression", "character 4"),
-        (r#""expression": "x", "dimension": 0"#.to_owned(), "dimension", "positive whole"),
+        (r#""expression": "x", "dimension": 0"#.to_owned(), "dimension", "1 to 100"),
         (r#""expression": "x", "dimension": 101, "bounds": {"min": 0, "max": 1}"#.to_owned(), "dimension", "1 to 100"),
         (r#""expression": "x", "dimension": 2"#.to_owned(), "bounds", "min and max"),
         (with("[0, 1]", ""), "bounds", "an object"),
