@@ -45,10 +45,11 @@ fn entry(name: &str) -> &'static Entry {
 }
 
 /// A whole run, step by step: the path's length.
-fn forage(entry: &Entry, scene: &Arc<Scene>) -> f64 {
+fn forage(entry: &'static Entry, scene: &Arc<Scene>) -> f64 {
     let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).expect("defaults are valid");
-    let mut run =
-        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &**standard() }).expect("defaults start"));
+    let mut run = Stepper::from(
+        (entry.start)(&Start { entry, scene, parameters: &settings, seed: 1, entries: &**standard() }).expect("defaults start"),
+    );
     while run.step(|_| Vec::new()) {}
     match run.planner.best().map(|best| (best.cost, best.solution)) {
         Some((cost, Solution::Path(_))) => cost,

@@ -34,12 +34,13 @@ fn scene(function: Function) -> Arc<Scene> {
     Arc::new(standard().read_scene(&text).expect("the scene is valid"))
 }
 
-fn whole_run(entry: &Entry, scene: &Arc<Scene>) -> f64 {
+fn whole_run(entry: &'static Entry, scene: &Arc<Scene>) -> f64 {
     let sizes = [("population", PARTICLES as f64), ("iterations", ITERATIONS as f64)];
     let given = sizes.into_iter().map(|(name, size)| (name, size.into())).collect();
     let settings = Parameters::new(entry.parameters, scene.kind(), &given).expect("the sizes are valid");
-    let mut run =
-        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &**standard() }).expect("defaults start"));
+    let mut run = Stepper::from(
+        (entry.start)(&Start { entry, scene, parameters: &settings, seed: 1, entries: &**standard() }).expect("defaults start"),
+    );
     while run.step(|_| Vec::new()) {}
     run.planner.best().map_or(f64::NAN, |best| best.cost)
 }
@@ -84,8 +85,7 @@ fn swarms(criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group(format!("{} D{DIMENSION}, {PARTICLES} x {ITERATIONS}", function.name()));
         group.sample_size(20);
         for entry in standard().suited(&scene).filter(|entry| entry.family == "swarm") {
-            group
-                .bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
+            group.bench_function(BenchmarkId::new("forage", entry.name), |b| b.iter(|| black_box(whole_run(entry, &scene))));
         }
         group.bench_function(BenchmarkId::new("argmin", "ParticleSwarm"), |b| b.iter(|| black_box(through_argmin(function))));
         group.finish();
@@ -97,7 +97,7 @@ fn grid(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group(format!("10 m grid D8, {PARTICLES} x {ITERATIONS}"));
     group.sample_size(20);
     for entry in standard().suited(&scene).filter(|entry| entry.family == "swarm") {
-        group.bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
+        group.bench_function(BenchmarkId::new("forage", entry.name), |b| b.iter(|| black_box(whole_run(entry, &scene))));
     }
     group.finish();
 }

@@ -60,7 +60,7 @@ struct Run {
     following: f64,
 }
 
-fn settings(entry: &Entry, scene: &Scene, given: &[(&'static str, f64)], finish: bool) -> Parameters {
+fn settings(entry: &'static Entry, scene: &Scene, given: &[(&'static str, f64)], finish: bool) -> Parameters {
     let mut params: Overrides = given.iter().map(|&(name, number)| (name, Value::from(number))).collect();
     for part in ["shorten", "polyline", "smooth"] {
         params.insert(part, Value::Flag(finish));
@@ -76,9 +76,9 @@ fn tip_length(solution: &Solution) -> f64 {
 }
 
 /// A whole run as it is, and again with what is made of its path. `None` without a path.
-fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u64) -> Option<Run> {
+fn run(entry: &'static Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u64) -> Option<Run> {
     let mut run = Stepper::from(
-        (entry.start)(&Start { scene, parameters: &settings(entry, scene, given, false), seed, entries: &**standard() }).unwrap(),
+        (entry.start)(&Start { entry, scene, parameters: &settings(entry, scene, given, false), seed, entries: &**standard() }).unwrap(),
     );
     let begun = Instant::now();
     while run.planner.best().is_none() && run.step(|_| Vec::new()) {}
@@ -92,7 +92,7 @@ fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u
     let seconds = first + begun.elapsed().as_secs_f64();
 
     let mut run = Stepper::from(
-        (entry.start)(&Start { scene, parameters: &settings(entry, scene, given, true), seed, entries: &**standard() }).unwrap(),
+        (entry.start)(&Start { entry, scene, parameters: &settings(entry, scene, given, true), seed, entries: &**standard() }).unwrap(),
     );
     while run.step(|_| Vec::new()) {}
     let begun = Instant::now();

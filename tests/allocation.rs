@@ -42,8 +42,9 @@ fn no_step_of_any_swarm_allocates() {
                 continue;
             }
             let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
-            let mut run =
-                Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
+            let mut run = Stepper::from(
+                (entry.start)(&Start { entry, scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap(),
+            );
             let before = COUNT.with(Cell::get);
             assert!(before > 0, "the counter counts");
             for _ in 0..300 {
@@ -62,7 +63,7 @@ fn no_step_of_any_ant_allocates() {
         let given = [("iterations", forage::Value::from(1000.0))].into_iter().collect();
         let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
         let mut run =
-            Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
+            Stepper::from((entry.start)(&Start { entry, scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
         for _ in 0..50 {
             run.step(|_| Vec::new());
         }
@@ -94,7 +95,7 @@ fn no_step_of_any_tour_allocates() {
             let known = |name: &str| entry.parameter(name).is_some();
             let given: Overrides = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
             let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
-            let started = (entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap();
+            let started = (entry.start)(&Start { entry, scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap();
             let roads = started.stages.first().and_then(|roads| roads.end).unwrap();
             let mut run = Stepper::from(started);
             while run.iteration < roads {
@@ -118,7 +119,7 @@ fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
             [("iterations", forage::Value::from(if entry.name == "wolf-ant-drive" { 5.0 } else { 1e6 }))].into_iter().collect();
         let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
         let mut run =
-            Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
+            Stepper::from((entry.start)(&Start { entry, scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
         let happened = |run: &Stepper| run.planner.facets().timeline.unwrap().events().len();
         while happened(&run) == 0 {
             run.step(|_| Vec::new());
@@ -153,7 +154,7 @@ fn trees_allocate_only_as_they_grow() {
         let scene = std::sync::Arc::new(forage::standard().read_scene(text).unwrap());
         let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
         let mut run =
-            Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
+            Stepper::from((entry.start)(&Start { entry, scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
         let before = COUNT.with(Cell::get);
         for _ in 0..4000 {
             run.step(|_| Vec::new());

@@ -298,6 +298,8 @@ impl Entry {
 /// What a planner is started with.
 #[derive(Clone, Copy)]
 pub struct Start<'a> {
+    /// The entry that is started.
+    pub entry: &'static Entry,
     /// The scene, of a kind that the planner runs on.
     pub scene: &'a Arc<Scene>,
     /// A value for each of the planner's parameters.

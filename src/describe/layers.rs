@@ -248,5 +248,8 @@ pub const PRINTED: Layer = layer("printed", "Printed", "The path that the paper 
 /// The robot arm.
 pub const ARM: Layer = layer("arm", "Arm", "At home, or following the path.", &ARM_LOOK);
 
+/// Those whose looks suit planners of any kind: a planner that brings a layer of such a name has its look.
+pub const COMMON: &[Layer] =
+    &[PARTICLES, PERSONAL_BESTS, VELOCITIES, BEST, TOUR, ATTRACTORS, MEAN_BEST, ANTS, FRONTIER, TREE, NODES, TOURS, STOPS];
 /// The layers that a page draws of a scene itself, whatever the planner draws.
 pub const SCENE: &[Layer] = &[EXACT, PRINTED, MOVING, ARM];

@@ -97,7 +97,7 @@ fn a_colony_that_the_list_lacks_or_that_is_none_is_refused() {
     let scene = shipped("wolf-ant-20").unwrap();
     let parameters = Parameters::new(DRIVE.parameters, scene.kind(), &Overrides::new()).unwrap();
     let refused = |entries: &dyn Entries| {
-        let start = Start { scene: &scene, parameters: &parameters, seed: 1, entries };
+        let start = Start { entry: &DRIVE, scene: &scene, parameters: &parameters, seed: 1, entries };
         (DRIVE.start)(&start).err().unwrap()
     };
     let none = refused(&Only(&[]));

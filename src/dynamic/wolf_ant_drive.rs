@@ -217,6 +217,6 @@ fn colony(start: &Start) -> Result<Colony, Error> {
         given.insert(size.name(), Value::from(start.parameters[size] as f64));
     }
     let parameters = entry.configure(kind, &given)?;
-    let planner: Box<dyn Any> = (entry.start)(&Start { parameters: &parameters, ..*start })?.planner;
+    let planner: Box<dyn Any> = (entry.start)(&Start { entry, parameters: &parameters, ..*start })?.planner;
     planner.downcast().map(|colony| *colony).map_err(|_| other())
 }

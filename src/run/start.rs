@@ -54,7 +54,7 @@ impl Run {
     pub fn with_keyframes(registry: &Arc<Registry>, setup: Setup, budget: usize) -> Result<Self, Error> {
         let (entry, parameters) = setup.check(registry)?;
         let Setup { scene, seed, .. } = setup;
-        let started = (entry.start)(&Start { scene: &scene, parameters: &parameters, seed, entries: &**registry })?;
+        let started = (entry.start)(&Start { entry, scene: &scene, parameters: &parameters, seed, entries: &**registry })?;
         let answers = Answers::new(budget, Some(Box::new(LocalSubtasks::new(registry, &scene))));
         let setup = Begun { origin: Origin::Registry(Arc::clone(registry)), entry, scene, parameters, seed };
         Ok(Self::begin(started, setup, answers, budget))
@@ -143,7 +143,8 @@ impl Run {
         match &self.origin {
             Origin::State(state) => state.clone(),
             Origin::Registry(registry) => {
-                let start = Start { scene: &self.scene, parameters: &self.parameters, seed: self.seed, entries: &**registry };
+                let start =
+                    Start { entry: self.entry, scene: &self.scene, parameters: &self.parameters, seed: self.seed, entries: &**registry };
                 (self.entry.start)(&start).map_or_else(|_| self.at.clone(), Stepper::from)
             }
         }

@@ -169,7 +169,8 @@ pub fn hashes(subject: &Subject, findings: &mut Findings) {
     findings.watch_random(subject, 30, |setup, _| {
         let parameters = Parameters::new(subject.entry.parameters, setup.scene.kind(), &setup.params);
         let parameters = parameters.map_err(|error| refusal(&error))?;
-        let start = Start { scene: &setup.scene, parameters: &parameters, seed: setup.seed, entries: &**subject.registry };
+        let start =
+            Start { entry: subject.entry, scene: &setup.scene, parameters: &parameters, seed: setup.seed, entries: &**subject.registry };
         let started = (subject.entry.start)(&start).map_err(|error| refusal(&error))?;
         let limit = started.limit;
         let mut state = Stepper::from(started);

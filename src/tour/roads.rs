@@ -251,7 +251,7 @@ mod tests {
         let grid = scene.get::<GridScene>().unwrap();
         let entry = crate::standard().planner("bat").unwrap();
         let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
-        let start = Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() };
+        let start = Start { entry, scene: &scene, parameters: &settings, seed: 1, entries: &**standard() };
         let mut network = Network::new(&start, grid).unwrap();
         let road = |(number, length): (usize, Option<f64>)| {
             let path = network.pair(number).map(|stop| network.stops[stop]).to_vec();

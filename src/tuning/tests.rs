@@ -115,7 +115,7 @@ fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
     let scene = shipped("wolf-ant-20").unwrap();
     let given = [("w", Value::from(0.5)), ("c1", Value::from(0.0)), ("c2", Value::from(0.0)), ("tune", Value::from("beta"))];
     let settings = Parameters::new(ENTRY.parameters, scene.kind(), &given.into_iter().collect()).unwrap();
-    start(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap();
+    start(&Start { entry: &ENTRY, scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap();
     let colony = standard().planner("aco-wolf").unwrap();
     let axes: Vec<_> = colony.parameter("beta").into_iter().filter_map(Axis::new).collect();
     let mut swarm = Tuning {

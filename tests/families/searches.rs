@@ -29,7 +29,7 @@ const TEXT: &str = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "
 
 #[test]
 fn a_heuristic_from_outside_keeps_the_shortest_path_if_it_is_never_too_long() {
-    let run = |entry: &Entry| {
+    let run = |entry: &'static Entry| {
         let run = run_to_end(start(entry, &scene(TEXT), &[("expand", "1")], 1).unwrap());
         assert_eq!(run.status, Status::Solved, "{}", entry.name);
         (run.planner.best().unwrap().cost, run.planner.evaluations())

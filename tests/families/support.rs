@@ -24,11 +24,11 @@ pub fn scene(text: &str) -> Arc<Scene> {
 }
 
 /// A planner at its start.
-pub fn start(entry: &Entry, scene: &Arc<Scene>, given: &[(&str, &str)], seed: u64) -> Result<Started, Error> {
+pub fn start(entry: &'static Entry, scene: &Arc<Scene>, given: &[(&str, &str)], seed: u64) -> Result<Started, Error> {
     let given: Overrides = given.iter().map(|&(name, value)| (name, value.into())).collect();
     entry.check_scene(scene)?;
     let parameters = entry.configure(scene.kind(), &given)?;
-    (entry.start)(&Start { scene, parameters: &parameters, seed, entries: &Nobody })
+    (entry.start)(&Start { entry, scene, parameters: &parameters, seed, entries: &Nobody })
 }
 
 pub fn run_to_end(started: Started) -> Stepper {

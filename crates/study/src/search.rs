@@ -158,7 +158,7 @@ impl Task {
             let setup = self.setup(sizes, seed)?;
             let (entry, parameters) = setup.check(standard())?;
             // Without the run around it: nobody looks at the trace of a hundred thousand runs.
-            let start = describe::Start { scene: &setup.scene, parameters: &parameters, seed, entries: &**standard() };
+            let start = describe::Start { entry, scene: &setup.scene, parameters: &parameters, seed, entries: &**standard() };
             let mut run = Stepper::from((entry.start)(&start)?);
             while run.step(|_| Vec::new()) {}
             let length = run.planner.best().and_then(|best| setup.scene.judge(&best.solution).length);

@@ -95,7 +95,7 @@ fn grow(setup: &Setup, stop: &AtomicBool) -> Result<Option<Tree>, Error> {
     let (entry, parameters) = raw.check(standard())?;
     let begun = std::time::Instant::now();
     let mut run =
-        Stepper::from((entry.start)(&Start { scene: &raw.scene, parameters: &parameters, seed: raw.seed, entries: &**standard() })?);
+        Stepper::from((entry.start)(&Start { entry, scene: &raw.scene, parameters: &parameters, seed: raw.seed, entries: &**standard() })?);
     while run.step(|_| Vec::new()) {
         if run.iteration.is_multiple_of(1000) && stop.load(Ordering::Relaxed) {
             return Ok(None);

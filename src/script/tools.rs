@@ -1,0 +1,161 @@
+//! What a script is lent for the time of a call: the scene, its costs, and random numbers.
+
+use std::sync::Arc;
+
+use crate::{
+    kernel::{
+        Error, Message, Scene, Solution,
+        error::list_of,
+        objective::{Objective, Scratch},
+        rng::Stream,
+    },
+    message,
+    scene::{FunctionScene, TourScene},
+};
+
+/// Random numbers, costs and geometry for the code of a planner.
+#[derive(Clone)]
+pub struct Tools {
+    scene: Arc<Scene>,
+    objective: Option<Arc<dyn Objective>>,
+    scratch: Scratch,
+    rng: Stream,
+    /// A random number was drawn: the run is one of many.
+    drawn: bool,
+    evaluations: u64,
+}
+
+impl Tools {
+    /// Those of a run on this scene with this seed.
+    pub fn new(scene: &Arc<Scene>, seed: u64) -> Self {
+        let objective = scene.get::<FunctionScene>().ok().map(|function| Arc::clone(function.objective()));
+        let rng = Stream::new(seed, 0);
+        Self { scene: Arc::clone(scene), objective, scratch: Scratch::default(), rng, drawn: false, evaluations: 0 }
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// How many candidates were evaluated.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    /// The stream of random numbers, if any were drawn.
+    pub(super) fn drawn(&self) -> Option<&Stream> {
+        self.drawn.then_some(&self.rng)
+    }
+
+    /// What is minimised, on a function.
+    pub fn objective(&self) -> Option<&Arc<dyn Objective>> {
+        self.objective.as_ref()
+    }
+
+    /// A uniform number in [0, 1).
+    pub fn random(&mut self) -> f64 {
+        self.drawn = true;
+        self.rng.unit()
+    }
+
+    /// A number from the standard normal distribution.
+    pub fn normal(&mut self) -> f64 {
+        self.drawn = true;
+        self.rng.normal()
+    }
+
+    /// The value of the scene's function at a position; counts as an evaluation.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for a position of another dimension, and on a scene without a function.
+    pub fn evaluate(&mut self, x: &[f64]) -> Result<f64, Error> {
+        let Some(objective) = &self.objective else {
+            return Err(Error::refused(
+                "evaluate",
+                "a position",
+                message!("script-no-function", "a path or an order: the scene has no function"),
+            ));
+        };
+        let n = objective.search_box().dimension();
+        if x.len() != n {
+            return Err(Error::refused(
+                "evaluate",
+                list_of(x.len()),
+                message!("scene-numbers", "a list of {n} numbers, one for each variable", n),
+            ));
+        }
+        self.evaluations += 1;
+        let cost = objective.evaluate(x, &mut self.scratch).cost;
+        match objective.refuses(cost) {
+            Some(why) => Err(Error::refused(
+                "evaluate",
+                crate::kernel::digits::coordinates(x),
+                message!("script-defined", "a position where {why} does not hold", why),
+            )),
+            None => Ok(cost),
+        }
+    }
+
+    /// The length of a path, infinite if it is not free; counts as an evaluation.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] on a scene without paths.
+    pub fn length(&mut self, path: &[[f64; 2]]) -> Result<f64, Error> {
+        self.check_plane("length")?;
+        self.evaluations += 1;
+        let verdict = self.scene.judge(&Solution::Path(path.to_vec()));
+        Ok(verdict.length.filter(|_| verdict.feasible).unwrap_or(f64::INFINITY))
+    }
+
+    /// Whether the robot can go straight from one point to another.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] on a scene without a plane.
+    pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> Result<bool, Error> {
+        self.check_plane("isFree")?;
+        Ok(self.scene.is_free(a, b))
+    }
+
+    /// The length of a tour that visits the stops in this order; counts as an evaluation.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for another list than each stop once, and on a scene without stops.
+    pub fn tour(&mut self, order: &[usize]) -> Result<f64, Error> {
+        let tour = self.scene.get::<TourScene>()?;
+        if !tour.ends().allows(order, tour.len()) {
+            return Err(Error::refused("tour", list_of(order.len()), each_stop(tour.len())));
+        }
+        self.evaluations += 1;
+        Ok(tour.distances().length(order, tour.ends().closes()))
+    }
+
+    /// The distance of two stops.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for a stop that there is not, and on a scene without stops.
+    pub fn distance(&self, from: usize, to: usize) -> Result<f64, Error> {
+        let tour = self.scene.get::<TourScene>()?;
+        let n = tour.len();
+        match [from, to].into_iter().find(|stop| *stop >= n) {
+            Some(stop) => Err(Error::refused(
+                "distance",
+                stop,
+                message!("error-whole-from-to", "a whole number from {min} to {max}", min = 0, max = n - 1),
+            )),
+            None => Ok(tour.distances().between(from, to)),
+        }
+    }
+
+    fn check_plane(&self, what: &'static str) -> Result<(), Error> {
+        match self.scene.plane() {
+            Some(_) => Ok(()),
+            None => Err(Error::refused(what, self.scene.kind().name(), Message::verbatim("discs, grid"))),
+        }
+    }
+}
+
+/// Of an order of stops.
+pub(super) fn each_stop(n: usize) -> Message {
+    message!("script-each-stop", "each of the {n} stops once", n)
+}
