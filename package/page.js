@@ -18,7 +18,6 @@ import {
   speakEnglish,
   speaksEnglish,
 } from './loader.js'
-import { registrar } from './own.js'
 import { urls } from './parts.js'
 
 export { shapes } from './core.js'
@@ -138,6 +137,3 @@ export async function ready(make) {
     }
   }
 }
-
-/** Adds a planner in JavaScript: see `PlannerInJavaScript`. */
-export const register = /* @__PURE__ */ registrar(load)
