@@ -1,8 +1,6 @@
-//! `cuckoo-search`: cuckoo search by Yang and Deb (2009), Lévy flights and abandoned nests; [ANTBAT](crate#papers) fig. 8
-//! compares with it.
-//!
-//! [ANTBAT](crate#papers) compares with a variant of it (Liu and Liu, Computer Science 2019, 46(7), 165–171: directional
-//! mutation), of which it prints no details. This is Yang and Deb's own.
+//! `cuckoo-search`: cuckoo search by Yang and Deb (2009), Lévy flights and abandoned nests. [ANTBAT](crate#papers) fig. 8 compares with a
+//! variant of it (Liu and Liu, Computer Science 2019, 46(7), 165–171: directional mutation), of which it prints no details. This is Yang
+//! and Deb's own.
 //!
 //! Readings. Where the paper's pseudo-code leaves something open, Yang and Deb's program decides: in each iteration every nest
 //! is tried twice, first by a Lévy flight, then by a random walk along the difference of two nests, and a candidate that is not
@@ -178,7 +176,7 @@ impl Nests {
         }
     }
 
-    /// A random walk along the difference of two nests to a candidate, which is kept in the box.
+    /// A random walk along the difference of two nests, kept in the box.
     fn walk<W: Watch + ?Sized>(&mut self, i: usize, r: f64, watch: &mut W) {
         let row = self.population.row(i);
         let [of_j, of_k] = [0, 1].map(|one| self.population.row(self.pairs[one][i]));
