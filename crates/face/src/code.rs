@@ -154,7 +154,12 @@ fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     let fields = javascript::read("scene", &fields).map_err(js_error)?;
     let scene = from_code(fields, |search_box| {
         let at = FUNCTIONS.with_borrow_mut(|all| {
-            all.push(Some(Given { function, many, wrong: None }));
+            let given = Some(Given { function, many, wrong: None });
+            if let Some(at) = all.iter().position(Option::is_none) {
+                all[at] = given;
+                return at;
+            }
+            all.push(given);
             all.len() - 1
         });
         let objective = FromCode { at, search_box };

@@ -107,6 +107,8 @@ impl Function {
 #[derive(Debug, Clone)]
 pub(super) struct Named {
     pub function: Function,
+    /// As it was given: the box has no more sides than a function may have.
+    dimension: usize,
     /// The position of the function's origin, a number for each variable; empty: at 0.
     pub shift: Vec<f64>,
     search_box: SearchBox,
@@ -115,11 +117,12 @@ pub(super) struct Named {
 impl Named {
     pub fn new(function: Function, dimension: usize, shift: Vec<f64>) -> Self {
         let side = function.half_side();
-        Self { function, shift, search_box: SearchBox::of(std::iter::repeat_n([-side, side], dimension)) }
+        let search_box = SearchBox::of(std::iter::repeat_n([-side, side], dimension.min(MAX_DIMENSION)));
+        Self { function, dimension, shift, search_box }
     }
 
     pub fn check(&self) -> Result<(), Error> {
-        let dimension = self.search_box.dimension();
+        let dimension = self.dimension;
         let (low, high) = self.function.dimensions();
         if !(low..=high).contains(&dimension) {
             let function = self.function.name();
@@ -149,7 +152,7 @@ impl Named {
     }
 
     pub fn write(&self, out: &mut Vec<(&'static str, Value)>) {
-        out.extend([("function", Value::from(self.function.name())), ("dimension", Value::from(self.search_box.dimension()))]);
+        out.extend([("function", Value::from(self.function.name())), ("dimension", Value::from(self.dimension))]);
         if !self.shift.is_empty() {
             out.push(("shift", Value::from(self.shift.as_slice())));
         }
@@ -223,7 +226,7 @@ mod tests {
     fn dimensions_outside_the_table_are_refused() {
         let refused = |function, dimension| Named::new(function, dimension, Vec::new()).check().is_err();
         assert!(refused(Function::Matyas, 3) && refused(Function::Rosenbrock, 1) && refused(Function::Sphere, 0));
-        assert!(refused(Function::Sphere, MAX_DIMENSION + 1) && !refused(Function::Sphere, 1));
+        assert!(refused(Function::Sphere, 2_000_000_000) && refused(Function::Sphere, MAX_DIMENSION + 1) && !refused(Function::Sphere, 1));
     }
 
     #[test]
