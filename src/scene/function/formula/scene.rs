@@ -58,8 +58,8 @@ impl Formula {
     /// they are known.
     ///
     /// # Errors
-    /// [`Error::Refused`] with the field that is wrong: more than [`MAX_DIMENSION`] variables, a side without length or farther than 10¹⁵
-    /// from 0, a position outside of the box, or one where the formula has another value than the minimum.
+    /// [`Error::Refused`] with the field that is wrong: more than [`MAX_DIMENSION`](super::super::MAX_DIMENSION) variables, a side without
+    /// length or farther than 10¹⁵ from 0, a position outside of the box, or one where the formula has another value than the minimum.
     ///
     /// ```
     /// use forage::{scene::Formula, swarm::objective::SearchBox};
