@@ -38,7 +38,7 @@ fn leak_all<T>(all: Vec<T>) -> &'static [T] {
 /// The field that is wrong, its value and what is allowed.
 pub fn entry(value: Value, start: fn(&Start) -> Result<Started, Error>) -> Result<&'static Entry, Error> {
     let mut fields = Fields::of("", value, message!("error-an-object", "an object"))?;
-    let name = name(&mut fields)?;
+    let name = word(&mut fields)?;
     let title = text(&mut fields, "title")?.unwrap_or_else(|| name.clone());
     let summary = text(&mut fields, "summary")?.unwrap_or_default();
     let kinds = each("kinds", fields.list("kinds")?, |at, value| {
@@ -90,11 +90,6 @@ pub fn entry(value: Value, start: fn(&Start) -> Result<Started, Error>) -> Resul
         ..Entry::new(leak(name), leak(title), "", leak(summary), start).family("own")
     };
     Ok(Box::leak(Box::new(entry)))
-}
-
-/// The planner's name: as commands and links have it.
-fn name(fields: &mut Fields) -> Result<String, Error> {
-    word(fields)
 }
 
 /// A name of small letters, digits and dashes or underlines.

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { functions } from '../src/locales/en/functions'
 import { en } from '../src/locales/en/page'
+import { violations } from './support/axe'
 import { expect, pick, test } from './support/lab'
 
 test('a function is written with its heat map, searched, and travels in a link', async ({ lab, page }) => {
@@ -15,10 +16,12 @@ test('a function is written with its heat map, searched, and travels in a link',
   await expect(dialog.getByTestId('use-function')).toBeEnabled()
   const before = await picture()
 
+  expect(await violations(lab)).toEqual([])
   await formula.fill('(x - 30)^2 + (y + 20)^2 +')
   await expect(dialog.getByTestId('function-error')).toContainText('character 26')
   await expect(dialog.getByTestId('use-function')).toBeDisabled()
   expect(await picture()).toBe(before)
+  expect(await violations(lab)).toEqual([])
   await formula.fill('(x - 30)^2 + (y + 20)^2 + 5')
   await expect(dialog.getByTestId('function-error')).toHaveCount(0)
   await expect.poll(picture).not.toBe(before)
@@ -26,9 +29,12 @@ test('a function is written with its heat map, searched, and travels in a link',
   await expect(dialog.getByTestId('function-optimum')).toHaveValue('')
   await dialog.getByTestId('function-high').fill('100, 50')
   await dialog.getByTestId('function-optimum').fill('5')
+  // What is typed last counts, however soon the button is pressed; what was typed of the minimum stays.
+  await formula.fill('(x - 30)^2 + (y + 20)^2 + 5.0')
   await dialog.getByTestId('function-title').fill('Off the middle')
   await dialog.getByTestId('use-function').click()
   await expect(dialog).toHaveCount(0)
+  await expect(page.getByTestId('scene')).toHaveValue('Off the middle')
 
   await lab.button(en.transport.end).click()
   await expect(lab.root).toHaveAttribute('data-status', 'exhausted')
@@ -39,11 +45,11 @@ test('a function is written with its heat map, searched, and travels in a link',
   await page.reload()
   await expect(lab.root).toHaveAttribute('data-hash', hash)
   await lab.section('scene')
-  await expect(page.getByTestId('formula')).toHaveText('(x - 30)^2 + (y + 20)^2 + 5')
+  await expect(page.getByTestId('formula')).toHaveText('(x - 30)^2 + (y + 20)^2 + 5.0')
 
   // The editor opens with what there is, and its fields are refused one by one.
   await page.getByTestId('write-function').click()
-  await expect(formula).toHaveValue('(x - 30)^2 + (y + 20)^2 + 5')
+  await expect(formula).toHaveValue('(x - 30)^2 + (y + 20)^2 + 5.0')
   await expect(dialog.getByTestId('function-high')).toHaveValue('100, 50')
   for (const [field, wrong] of [
     ['low', 'left'],
@@ -71,6 +77,7 @@ test('a function that is not defined everywhere ends the run, and the page says 
   await page.getByTestId('use-function').click()
   await lab.button(en.transport.end).click()
   await expect(lab.root).toHaveAttribute('data-status', 'failed')
+  await expect(page.getByTestId('trouble')).toContainText('is not a number, at (')
   await lab.section('result')
   await expect(page.getByTestId('result-trouble')).toContainText('is not a number')
   // It is right again: the run is, too.

@@ -12,6 +12,9 @@ import type { Lab } from './lab.svelte'
 /** How fine the heat map is, in pixels a side. */
 const SIDE = 240
 
+/** The name of a function that is no example. */
+const OWN = 'own-function'
+
 /** What is written into the fields, as text. */
 interface Draft {
   name: string
@@ -77,6 +80,8 @@ export class WritingStore {
   scene = $state.raw<FormulaScene | null>(null)
   picture = $state.raw<HeightMap | null>(null)
   private refusal = $state.raw<Refusal | null>(null)
+  /** What the texts say now; none while one of them says nothing. The core may not have taken it yet. */
+  private wanted = $state.raw<FormulaScene | null>(null)
 
   /** What is wrong with texts that the core was not even asked about. */
   private readonly unread = $derived.by((): Partial<Record<Field, string>> => {
@@ -101,7 +106,7 @@ export class WritingStore {
   readonly problem = $derived(this.refusal && !FIELDS.some(([start]) => this.refusal?.field.startsWith(start)) ? this.refusal.message : '')
   /** Where the formula is wrong. */
   readonly place = $derived(this.refusal ? placeIn(this.refusal) : null)
-  readonly ready = $derived(this.scene !== null && Object.keys(this.errors).length === 0 && this.problem === '')
+  readonly ready = $derived(this.scene !== null && this.scene === this.wanted)
 
   private readonly latest = new Latest<FormulaScene>((scene) => this.try(scene))
 
@@ -122,7 +127,7 @@ export class WritingStore {
     if (example) this.put(drafted(example))
   }
 
-  /** One text is changed. What was known of the function may not hold any more. */
+  /** One text is changed. What was known of an example does not hold any more. */
   write(field: Field | 'title', text: string): void {
     const { draft } = this
     if (!draft || draft[field] === text) return
@@ -130,12 +135,14 @@ export class WritingStore {
     if (field === 'title') this.put(changed)
     else {
       const title = EXAMPLES.some((example) => example.title === draft.title) ? '' : draft.title
-      this.put({ ...changed, name: 'own-function', title, position: null, optimum: field === 'optimum' ? text : '' })
+      const optimum = field === 'optimum' || draft.name === OWN ? changed.optimum : ''
+      this.put({ ...changed, name: OWN, title, position: null, optimum })
     }
   }
 
   private put(draft: Draft): void {
     this.draft = draft
+    this.wanted = null
     if (Object.keys(this.unread).length > 0) return
     const { name, title, expression, dimension, low, high, optimum, position } = draft
     const value = numbers(optimum)
@@ -150,6 +157,7 @@ export class WritingStore {
       bounds: { min: numbers(low) ?? 0, max: numbers(high) ?? 1 },
     }
     if (typeof value === 'number') scene.optimum = position ? { value, position: [...position] } : value
+    this.wanted = scene
     this.latest.want(scene)
   }
 
