@@ -7,7 +7,7 @@ use forage::{
     arm::ArmScene,
     exact::{AmongCuboids, MAX_EXACT_CUBOIDS, MAX_EXACT_STOPS, shortest_among_cuboids},
     kernel::{ReferenceOptimum, TourEnds},
-    scene::{ARM, GRID, MAX_EXACT_CELLS, TourScene},
+    scene::{ARM, FUNCTION, GRID, MAX_EXACT_CELLS, TourScene},
 };
 use serde::Serialize;
 
@@ -106,7 +106,10 @@ fn summary(scene: &Scene, answer: &Answer<'_>) -> String {
         (Some(found), Points::Space(path), _) => {
             lines.push(format!("shortest path of the tool tip {}, {} points", length(found), path.len()));
         }
-        (Some(found), Points::Plane([]), _) => lines.push(format!("minimum {}", number(found))),
+        (Some(found), Points::Plane([]), _) => {
+            let stated = scene.minimum().is_some_and(|minimum| minimum.stated);
+            lines.push(format!("minimum {}{}", number(found), if stated { ", stated in the scene file" } else { "" }));
+        }
         (Some(found), Points::Plane(path), cells) => {
             lines.push(format!("shortest path {}, {} points", length(found), path.len()));
             lines.extend(cells.as_ref().map(|cells| format!("shortest path from cell to cell {}", length(cells.length))));
@@ -146,6 +149,7 @@ fn no_path(scene: &Scene) -> String {
             _ => NONE.to_owned(),
         },
         _ if scene.ends().is_some() => NONE.to_owned(),
+        _ if scene.kind() == FUNCTION => "the minimum of this function is not known".to_owned(),
         _ => no_tour(scene.stops().len()),
     }
 }

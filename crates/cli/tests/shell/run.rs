@@ -259,3 +259,33 @@ fn a_run_on_a_grid_tells_what_smoothing_and_driving_made_of_the_path() {
     assert_eq!((refused.status.code(), refused.stdout.len()), (Some(2), 0));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("look_ahead"));
 }
+
+#[test]
+fn formulas_are_run_from_a_file_and_refused_with_the_place() {
+    let scene = |name: &str, expression: &str, more: &str| {
+        let path = temporary(name);
+        let text = format!(
+            r#"{{"format": "forage-scene", "version": 1, "kind": "function", "name": "own", "title": "Own", "expression": "{expression}",
+                "dimension": 2, "bounds": {{"min": -5, "max": [5, 6]}}{more}}}"#
+        );
+        std::fs::write(&path, text).unwrap();
+        path.to_string_lossy().into_owned()
+    };
+    let whole = scene("whole.json", "(x - 1)^2 + (y + 2)^2", r#", "optimum": {"value": 0, "position": [1, -2]}"#);
+    let outcome = json(&["run", "pso", "--scene", &whole, "--json"]);
+    assert!(outcome["cost"].as_f64().unwrap() < 1e-9 && outcome["exact"] == 0.0 && outcome["exact_by"] == "stored", "{outcome}");
+    let said = |args: &[&str]| {
+        let output = forage(args);
+        (output.status.code(), String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned())
+    };
+    assert_eq!(said(&["exact", "--scene", &whole]), (Some(0), "own: minimum 0, stated in the scene file\n".into()));
+    let unknown = scene("unknown.json", "sin(x) + y", "");
+    assert_eq!(said(&["exact", "--scene", &unknown]), (Some(1), "own: the minimum of this function is not known\n".into()));
+    let (code, text) = said(&["run", "pso", "--scene", &scene("bad.json", "sin(x", "")]);
+    assert!(code == Some(2) && text.contains("expression: character 6: the formula ends here; expected: )"), "{text}");
+    let failed = scene("failed.json", "ln(x)", "");
+    assert_eq!(forage(&["run", "pso", "--scene", &failed]).status.code(), Some(1));
+    let failed = json(&["run", "pso", "--scene", &failed, "--json"]);
+    assert_eq!(failed["status"], "failed");
+    assert!(failed["trouble"].as_str().unwrap().contains("not a number") && failed["failed_at"].as_array().unwrap().len() == 2, "{failed}");
+}

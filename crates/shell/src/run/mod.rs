@@ -70,7 +70,7 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     }
     let expected = task.expected_hash.filter(|_| !args.ignore_hash);
     let difference = expected.and_then(|expected| hash_difference(&expected, task.stop_at, &outcome));
-    let succeeded = outcome.feasible && difference.is_none();
+    let succeeded = outcome.feasible && outcome.status != Status::Failed && difference.is_none();
     if args.json {
         print_json(&Report { outcome, elapsed_ms })?;
     } else {
