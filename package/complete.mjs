@@ -55,7 +55,7 @@ const bundle = (file, replaced = {}) =>
     output: { file: `${folder}/${file}`, format: 'esm', minify: true },
     logLevel: 'warn',
   })
-const own = ['core', 'glue', 'guard', 'node', 'page', 'words'].map((name) => `./${name}.js`)
+const own = ['core', 'glue', 'guard', 'node', 'own', 'page', 'words'].map((name) => `./${name}.js`)
 await bundle('words.js')
 
 // The glue of wasm-bindgen calls a freed object's methods with no address. Here they say so by name, to free twice does nothing,

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs'
 import { speaker, words } from './english.js'
 import { initSync } from './glue.js'
 import { addParts, askBy, filesOf, linkFile, missing, partsOf, reset, share, speakBy, speakEnglish, speaksEnglish } from './loader.js'
+import { registrar } from './own.js'
 import { urls } from './parts.js'
 
 export { catalogue } from './catalogue.js'
@@ -48,3 +49,6 @@ export function serveBy() {}
 
 /** In Node everything is ready on import; this keeps code that calls `await init()` working. */
 export default async function init() {}
+
+/** Adds a planner in JavaScript: see `PlannerInJavaScript`. */
+export const register = /* @__PURE__ */ registrar(load)

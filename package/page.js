@@ -18,6 +18,7 @@ import {
   speakEnglish,
   speaksEnglish,
 } from './loader.js'
+import { registrar } from './own.js'
 import { urls } from './parts.js'
 
 export { shapes } from './core.js'
@@ -137,3 +138,6 @@ export async function ready(make) {
     }
   }
 }
+
+/** Adds a planner in JavaScript: see `PlannerInJavaScript`. */
+export const register = /* @__PURE__ */ registrar(load)

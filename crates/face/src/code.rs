@@ -14,7 +14,7 @@ use forage::{
     scene::function::{CodeFault, check_repeatable, from_code, refused_cost},
 };
 
-use crate::{js_error, read::property, tool::Tool};
+use crate::{js_error, own, read::property, tool::Tool};
 
 struct Code {
     scene: fn(&JsValue) -> Result<Arc<Scene>, JsValue>,
@@ -22,9 +22,10 @@ struct Code {
 
 static CODE: Tool<Code> = Tool::new("code");
 
-/// Offers functions from code.
+/// Offers functions and planners from code.
 pub fn offer_code() {
     CODE.offer(&Code { scene: read_scene });
+    own::offer();
 }
 
 /// The scene of an object with a function; `None` for another value.
@@ -170,7 +171,7 @@ fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
 }
 
 /// What was thrown, in words.
-fn cause(error: &JsValue) -> String {
+pub(crate) fn cause(error: &JsValue) -> String {
     error.dyn_ref::<js_sys::Error>().map_or_else(|| shown(error), |error| String::from(error.message()))
 }
 

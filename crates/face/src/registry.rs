@@ -5,7 +5,7 @@ use std::{cell::RefCell, sync::Arc};
 use js_sys::Function;
 use wasm_bindgen::prelude::*;
 
-use forage::{Error, Registry, kernel::allowed};
+use forage::{Error, Registry, describe::Entry, kernel::allowed};
 
 use crate::convert::{js_error, js_error_as};
 
@@ -15,6 +15,8 @@ pub type Entries = fn(Registry) -> Registry;
 #[derive(Default)]
 struct Known {
     parts: Vec<(u8, Entries)>,
+    /// Planners that somebody has brought since.
+    own: Vec<&'static Entry>,
     /// Kept for ever: runs hold on to it, and there are as many as a module has parts.
     registry: Option<&'static Arc<Registry>>,
     bring: Option<Function>,
@@ -32,9 +34,23 @@ pub fn know(rank: u8, entries: Entries) {
         // Behind all of its rank. To sort would bring in a sort.
         let at = known.parts.partition_point(|(other, _)| *other <= rank);
         known.parts.insert(at, (rank, entries));
-        let registry = known.parts.iter().fold(Registry::new(), |registry, (_, entries)| entries(registry));
-        known.registry = Some(Box::leak(Box::new(Arc::new(registry))));
+        known.list();
     });
+}
+
+/// Adds a planner that somebody brings, in the place of one of the same name that was brought before.
+pub(crate) fn know_own(entry: &'static Entry) {
+    KNOWN.with_borrow_mut(|known| {
+        known.own.push(entry);
+        known.list();
+    });
+}
+
+impl Known {
+    fn list(&mut self) {
+        let registry = self.parts.iter().fold(Registry::new(), |registry, (_, entries)| entries(registry));
+        self.registry = Some(Box::leak(Box::new(Arc::new(registry.with_all(&self.own)))));
+    }
 }
 
 /// Sets who brings what is not here: a function of `planner`, `kind`, `scene`, `generator`, `follower`, `role` or `tool` and the

@@ -1,0 +1,218 @@
+//! Planners in JavaScript. What their code does is called through an object of functions, which the package makes of it; here are the
+//! runs, and what is lent to the code.
+
+use std::{cell::RefCell, sync::Arc};
+
+use js_sys::{Array, Float64Array, Function, Reflect, Uint32Array};
+use wasm_bindgen::{JsCast, prelude::*};
+
+use forage::{
+    Error,
+    describe::{Entry, Start},
+    kernel::{Candidate, Inspection, Item, Message, Shape, Started, javascript},
+    math,
+    params::Object,
+    script::{self, Advanced, Call, Drawn, Script, Tools},
+};
+
+use crate::{code::cause, js_error, plain, registry::know_own, tool::Tool};
+
+struct Own {
+    register: fn(&JsValue, &JsValue) -> Result<(), JsValue>,
+    scalar: fn(u32, f64, f64) -> Result<f64, JsValue>,
+    list: fn(u32, &[f64]) -> Result<f64, JsValue>,
+}
+
+static OWN: Tool<Own> = Tool::new("code");
+
+/// Offers planners in JavaScript.
+pub(crate) fn offer() {
+    OWN.offer(&Own { register, scalar, list });
+}
+
+/// Adds a planner: what it says of itself, and the functions that its code is called by.
+///
+/// # Errors
+/// An `Error` with the field that is wrong.
+#[wasm_bindgen(js_name = registerPlanner, skip_typescript)]
+pub fn register_planner(description: &JsValue, host: &JsValue) -> Result<(), JsValue> {
+    (OWN.get()?.register)(description, host)
+}
+
+/// Of what is lent to the code of a planner, by number: what takes up to two numbers.
+///
+/// # Errors
+/// An `Error` for what is refused, and where nothing is lent.
+#[wasm_bindgen(skip_typescript)]
+pub fn lent(what: u32, a: f64, b: f64) -> Result<f64, JsValue> {
+    (OWN.get()?.scalar)(what, a, b)
+}
+
+/// The same of what takes a list.
+///
+/// # Errors
+/// As `lent`.
+#[wasm_bindgen(js_name = lentList, skip_typescript)]
+pub fn lent_list(what: u32, numbers: &[f64]) -> Result<f64, JsValue> {
+    (OWN.get()?.list)(what, numbers)
+}
+
+thread_local! {
+    static SCRIPTS: RefCell<Vec<(&'static Entry, JsValue)>> = const { RefCell::new(Vec::new()) };
+    /// What is lent to the calls under way, the last one last; none while it is in use.
+    static LENT: RefCell<Vec<Option<Tools>>> = const { RefCell::new(Vec::new()) };
+}
+
+fn register(description: &JsValue, host: &JsValue) -> Result<(), JsValue> {
+    let description = javascript::read("planner", description).map_err(js_error)?;
+    let entry = script::entry(description, start).map_err(js_error)?;
+    SCRIPTS.with_borrow_mut(|all| all.push((entry, host.clone())));
+    know_own(entry);
+    Ok(())
+}
+
+/// The newest planner of a name counts.
+fn start(start: &Start) -> Result<Started, Error> {
+    let at = SCRIPTS.with_borrow(|all| all.iter().rposition(|(entry, _)| entry.name == start.entry.name));
+    let Some(at) = at else { return Err(Error::unknown("planner", start.entry.name, [])) };
+    let entry = SCRIPTS.with_borrow(|all| all[at].0);
+    let script: Arc<dyn Script> = Arc::new(FromScript { at });
+    script::begin(&script, entry, start)
+}
+
+/// Uses what is lent to the call under way. It is taken meanwhile: a function that is minimised may be code as well.
+fn with_tools<T>(work: impl FnOnce(&mut Tools) -> Result<T, Error>) -> Result<T, JsValue> {
+    let tools = LENT.with_borrow_mut(|lent| lent.last_mut().and_then(Option::take));
+    let Some(mut tools) = tools else { return Err(js_error(script::not_lent())) };
+    let result = work(&mut tools);
+    LENT.with_borrow_mut(|lent| {
+        if let Some(last) = lent.last_mut() {
+            *last = Some(tools);
+        }
+    });
+    result.map_err(js_error)
+}
+
+fn scalar(what: u32, a: f64, b: f64) -> Result<f64, JsValue> {
+    let one: fn(f64) -> f64 = match what {
+        0 => return with_tools(|tools| Ok(tools.random())),
+        1 => return with_tools(|tools| Ok(tools.normal())),
+        2 => return with_tools(|tools| tools.distance(a as usize, b as usize)),
+        3 => math::sin,
+        4 => math::cos,
+        5 => math::exp,
+        6 => math::ln,
+        7 => return Ok(math::pow(a, b)),
+        8 => return Ok(math::atan2(a, b)),
+        9 => math::acos,
+        10 => math::asin,
+        _ => math::log10,
+    };
+    Ok(one(a))
+}
+
+fn list(what: u32, numbers: &[f64]) -> Result<f64, JsValue> {
+    let points = || numbers.as_chunks::<2>().0;
+    with_tools(|tools| match what {
+        0 => tools.evaluate(numbers),
+        1 => tools.length(points()),
+        2 => match points() {
+            &[a, b] => tools.is_free(a, b).map(f64::from),
+            _ => Ok(f64::NAN),
+        },
+        _ => tools.tour(&numbers.iter().map(|stop| *stop as usize).collect::<Vec<_>>()),
+    })
+}
+
+/// A planner by its place among those that were given.
+struct FromScript {
+    at: usize,
+}
+
+impl FromScript {
+    fn call(&self, name: &str, arguments: &[JsValue]) -> Result<JsValue, Message> {
+        let host = SCRIPTS.with_borrow(|all| all[self.at].1.clone());
+        let arguments: Array = arguments.iter().collect();
+        let function = Reflect::get(&host, &name.into()).map(JsCast::unchecked_into::<Function>);
+        function.and_then(|function| Reflect::apply(&function, &host, &arguments)).map_err(|error| script::threw(&cause(&error)))
+    }
+
+    fn lending<T>(&self, tools: Tools, name: &str, arguments: &[JsValue], read: impl Fn(f64) -> T) -> Call<T> {
+        LENT.with_borrow_mut(|lent| lent.push(Some(tools)));
+        let result = self.call(name, arguments);
+        let tools = LENT.with_borrow_mut(Vec::pop).flatten();
+        Call { tools, result: result.map(|found| read(found.as_f64().unwrap_or(f64::NAN))) }
+    }
+
+    fn number(&self, name: &str, state: u32) -> f64 {
+        self.call(name, &[state.into()]).ok().and_then(|found| found.as_f64()).unwrap_or(0.0)
+    }
+}
+
+/// What is wrong with data that a script gave.
+fn wrong(error: &Error) -> Message {
+    Message::verbatim(error.to_string())
+}
+
+impl Script for FromScript {
+    fn start(&self, start: &Start, tools: Tools) -> Call<u32> {
+        let scene = plain::<JsValue>(&**start.scene).unwrap_or_default();
+        let parameters = plain::<JsValue>(&Object(start.parameters.all())).unwrap_or_default();
+        let sides = tools.objective().map(|objective| {
+            let search_box = objective.search_box();
+            [search_box.low(), search_box.high()].map(|side| JsValue::from(Float64Array::new_from_slice(side)))
+        });
+        let [low, high] = sides.unwrap_or_default();
+        self.lending(tools, "start", &[scene, parameters, (start.seed as f64).into(), low, high], |state| state as u32)
+    }
+
+    fn advance(&self, state: u32, tools: Tools) -> Call<Advanced> {
+        // One that is done says so by its sign.
+        self.lending(tools, "advance", &[state.into()], |found| Advanced { state: found.abs() as u32, done: found.is_sign_negative() })
+    }
+
+    fn best(&self, state: u32) -> Result<Option<Candidate>, Message> {
+        javascript::read("best", &self.call("best", &[state.into()])?).and_then(script::candidate).map_err(|error| wrong(&error))
+    }
+
+    fn readings(&self, state: u32) -> Result<Vec<f64>, Message> {
+        Ok(Float64Array::new(&self.call("readings", &[state.into()])?).to_vec())
+    }
+
+    fn draw(&self, state: u32) -> Vec<Drawn> {
+        let Ok(found) = self.call("draw", &[state.into()]) else { return Vec::new() };
+        Array::from(&found)
+            .iter()
+            .filter_map(|piece| {
+                let piece = Array::from(&piece);
+                let shape = piece.get(1).as_string()?;
+                let shape = Shape::ALL.into_iter().find(|known| known.name() == shape)?;
+                let vertices = Float64Array::new(&piece.get(2)).to_vec().as_chunks::<3>().0.to_vec();
+                Some(Drawn { layer: piece.get(0).as_f64()? as usize, shape, vertices })
+            })
+            .collect()
+    }
+
+    fn explain(&self, state: u32, item: Item) -> Option<Inspection> {
+        let found = self.call("explain", &[state.into(), item.layer.0.into(), (item.index as f64).into()]).ok()?;
+        javascript::read("explain", &found).and_then(|value| script::inspection(item, value)).ok().flatten()
+    }
+
+    fn copy(&self, state: u32) -> u32 {
+        self.number("copy", state) as u32
+    }
+
+    fn forget(&self, state: u32) {
+        let _ = self.call("forget", &[state.into()]);
+    }
+
+    fn digest(&self, state: u32) -> u64 {
+        let Ok(found) = self.call("digest", &[state.into()]) else { return 0 };
+        let [high, low] = [0, 1].map(|at| u64::from(Uint32Array::new(&found).get_index(at)));
+        high << 32 | low
+    }
+
+    fn size(&self, state: u32) -> usize {
+        self.number("size", state) as usize
+    }
+}
