@@ -81,7 +81,6 @@ pub mod picture;
 pub mod registry;
 pub mod run;
 pub mod scene;
-pub mod script;
 pub mod search;
 mod settled;
 pub mod statistics;

@@ -40,6 +40,11 @@ impl Label {
         Self { name, symbol, key, english: words(english) }
     }
 
+    /// A name that is said as it is.
+    pub const fn verbatim(name: &'static str) -> Self {
+        Self { name, symbol: "", key: "", english: name }
+    }
+
     /// The title, a few words.
     pub fn title(&self) -> Message {
         Message::new(self.key, Cow::Borrowed(self.english), Vec::new())

@@ -12,8 +12,8 @@ use forage::{
     kernel::{Candidate, Inspection, Item, Message, Shape, Started, javascript},
     math,
     params::Object,
-    script::{self, Advanced, Call, Drawn, Script, Tools},
 };
+use forage_script::{self as script, Advanced, Call, Drawn, Script, Tools};
 
 use crate::{code::cause, js_error, plain, registry::know_own, tool::Tool};
 
@@ -65,7 +65,7 @@ thread_local! {
 
 fn register(description: &JsValue, host: &JsValue) -> Result<(), JsValue> {
     let description = javascript::read("planner", description).map_err(js_error)?;
-    let entry = script::entry(description, start).map_err(js_error)?;
+    let entry = script::entry(&description, start).map_err(js_error)?;
     SCRIPTS.with_borrow_mut(|all| all.push((entry, host.clone())));
     know_own(entry);
     Ok(())
@@ -81,7 +81,7 @@ fn start(start: &Start) -> Result<Started, Error> {
 }
 
 /// Uses what is lent to the call under way. It is taken meanwhile: a function that is minimised may be code as well.
-fn with_tools<T>(work: impl FnOnce(&mut Tools) -> Result<T, Error>) -> Result<T, JsValue> {
+fn with_tools(work: &dyn Fn(&mut Tools) -> Result<f64, Error>) -> Result<f64, JsValue> {
     let tools = LENT.with_borrow_mut(|lent| lent.last_mut().and_then(Option::take));
     let Some(mut tools) = tools else { return Err(js_error(script::not_lent())) };
     let result = work(&mut tools);
@@ -95,9 +95,9 @@ fn with_tools<T>(work: impl FnOnce(&mut Tools) -> Result<T, Error>) -> Result<T,
 
 fn scalar(what: u32, a: f64, b: f64) -> Result<f64, JsValue> {
     let one: fn(f64) -> f64 = match what {
-        0 => return with_tools(|tools| Ok(tools.random())),
-        1 => return with_tools(|tools| Ok(tools.normal())),
-        2 => return with_tools(|tools| tools.distance(a as usize, b as usize)),
+        0 => return with_tools(&|tools| Ok(tools.random())),
+        1 => return with_tools(&|tools| Ok(tools.normal())),
+        2 => return with_tools(&|tools| tools.distance(a as usize, b as usize)),
         3 => math::sin,
         4 => math::cos,
         5 => math::exp,
@@ -112,15 +112,12 @@ fn scalar(what: u32, a: f64, b: f64) -> Result<f64, JsValue> {
 }
 
 fn list(what: u32, numbers: &[f64]) -> Result<f64, JsValue> {
-    let points = || numbers.as_chunks::<2>().0;
-    with_tools(|tools| match what {
-        0 => tools.evaluate(numbers),
-        1 => tools.length(points()),
-        2 => match points() {
-            &[a, b] => tools.is_free(a, b).map(f64::from),
-            _ => Ok(f64::NAN),
-        },
-        _ => tools.tour(&numbers.iter().map(|stop| *stop as usize).collect::<Vec<_>>()),
+    let points = numbers.as_chunks::<2>().0;
+    with_tools(&|tools| match (what, points) {
+        (0, _) => tools.evaluate(numbers),
+        (1, _) => tools.length(points),
+        (2, &[a, b]) => tools.is_free(a, b).map(f64::from),
+        _ => tools.tour(&script::stops(numbers)),
     })
 }
 
@@ -149,9 +146,9 @@ impl FromScript {
     }
 }
 
-/// What is wrong with data that a script gave.
-fn wrong(error: &Error) -> Message {
-    Message::verbatim(error.to_string())
+/// An item of a list.
+fn item(list: &JsValue, at: u32) -> JsValue {
+    Reflect::get_u32(list, at).unwrap_or_default()
 }
 
 impl Script for FromScript {
@@ -172,7 +169,12 @@ impl Script for FromScript {
     }
 
     fn best(&self, state: u32) -> Result<Option<Candidate>, Message> {
-        javascript::read("best", &self.call("best", &[state.into()])?).and_then(script::candidate).map_err(|error| wrong(&error))
+        let found = self.call("best", &[state.into()])?;
+        if found.is_null() {
+            return Ok(None);
+        }
+        let [cost, kind] = [0, 1].map(|at| item(&found, at).as_f64().unwrap_or(f64::NAN));
+        Ok(Some(script::candidate(cost, kind as u32, Float64Array::new(&item(&found, 2)).to_vec())))
     }
 
     fn readings(&self, state: u32) -> Result<Vec<f64>, Message> {
@@ -181,21 +183,21 @@ impl Script for FromScript {
 
     fn draw(&self, state: u32) -> Vec<Drawn> {
         let Ok(found) = self.call("draw", &[state.into()]) else { return Vec::new() };
-        Array::from(&found)
-            .iter()
-            .filter_map(|piece| {
-                let piece = Array::from(&piece);
-                let shape = piece.get(1).as_string()?;
-                let shape = Shape::ALL.into_iter().find(|known| known.name() == shape)?;
-                let vertices = Float64Array::new(&piece.get(2)).to_vec().as_chunks::<3>().0.to_vec();
-                Some(Drawn { layer: piece.get(0).as_f64()? as usize, shape, vertices })
-            })
-            .collect()
+        let piece = |piece: JsValue| {
+            let shape = item(&piece, 1).as_string()?;
+            let shape = Shape::ALL.into_iter().find(|known| known.name() == shape)?;
+            let vertices = Float64Array::new(&item(&piece, 2)).to_vec().as_chunks::<3>().0.to_vec();
+            Some(Drawn { layer: item(&piece, 0).as_f64()? as usize, shape, vertices })
+        };
+        found.unchecked_into::<Array>().iter().filter_map(piece).collect()
     }
 
-    fn explain(&self, state: u32, item: Item) -> Option<Inspection> {
-        let found = self.call("explain", &[state.into(), item.layer.0.into(), (item.index as f64).into()]).ok()?;
-        javascript::read("explain", &found).and_then(|value| script::inspection(item, value)).ok().flatten()
+    fn explain(&self, state: u32, of: Item) -> Option<Inspection> {
+        let found = self.call("explain", &[state.into(), of.layer.0.into(), (of.index as f64).into()]).ok()?;
+        let [title, summary] = [item(&found, 0).as_string()?, item(&found, 1).as_string()?];
+        let values: Array = item(&found, 2).unchecked_into();
+        let value = |value: JsValue| Some((item(&value, 0).as_string()?, item(&value, 1).as_f64()?));
+        Some(script::inspection(of, title, summary, values.iter().filter_map(value).collect()))
     }
 
     fn copy(&self, state: u32) -> u32 {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::{
+use forage::{
     kernel::{
         Error, Message, Scene, Solution,
         error::list_of,
@@ -90,7 +90,7 @@ impl Tools {
         match objective.refuses(cost) {
             Some(why) => Err(Error::refused(
                 "evaluate",
-                crate::kernel::digits::coordinates(x),
+                forage::kernel::digits::coordinates(x),
                 message!("script-defined", "a position where {why} does not hold", why),
             )),
             None => Ok(cost),

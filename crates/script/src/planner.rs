@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::{
+use forage::{
     describe::{Entry, Start},
     kernel::{
         Candidate, Digest, Error, Explain, Facets, Failure, Frame, Inspection, Item, Message, Planner, Progress, Readings, Shape, Solution,

@@ -1,4 +1,4 @@
-//! Planners whose code is not Rust: what they say of themselves becomes an [`Entry`](crate::describe::Entry), and what they do is called
+//! Planners whose code is not Rust: what they say of themselves becomes an [`Entry`](forage::describe::Entry), and what they do is called
 //! through [`Script`].
 //!
 //! A script keeps the states of its planner and knows each by a number, so that a state can be copied, hashed and forgotten like any
@@ -14,5 +14,5 @@ mod tools;
 
 pub use description::{ITERATIONS, entry};
 pub use planner::{Advanced, Call, Drawn, Script, begin};
-pub use read::{candidate, inspection, not_lent, threw};
+pub use read::{candidate, inspection, not_lent, stops, threw};
 pub use tools::Tools;

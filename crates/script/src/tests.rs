@@ -6,7 +6,7 @@ use std::sync::{
 use serde_json::{Value as Json, json};
 
 use super::*;
-use crate::{
+use forage::{
     Overrides, Registry, Run, Setup,
     describe::{Entry, Start},
     kernel::{Candidate, Error, Inspection, Item, LayerKey, Message, Shape, Solution, Started, Status},
@@ -104,13 +104,13 @@ fn start(start: &Start) -> Result<Started, Error> {
 fn described(more: Json) -> Result<&'static Entry, Error> {
     let mut description = json!({
         "name": "climber", "title": "Climber", "kinds": ["function"],
-        "parameters": [{"name": "wrong", "default": false}],
+        "parameters": [{"name": "wrong", "type": "flag", "default": false}],
         "readings": [{"name": "cost"}],
-        "layers": [{"name": "particles", "pickable": true}],
+        "layers": [{"role": "particles", "pickable": true}],
     });
     let (Json::Object(description), Json::Object(more)) = (&mut description, more) else { panic!("both are objects") };
     description.extend(more);
-    entry(Json::Object(description.clone()), start)
+    entry(&Json::Object(description.clone()), start)
 }
 
 fn run(params: Overrides, seed: u64) -> Result<Run, Error> {
@@ -147,38 +147,25 @@ fn a_script_has_what_planners_have() {
 
 #[test]
 fn what_does_not_start_is_refused() {
-    let error = run(Overrides::from_iter([("wrong", crate::Value::Flag(true))]), 1).err().unwrap();
+    let error = run(Overrides::from_iter([("wrong", forage::Value::Flag(true))]), 1).err().unwrap();
     assert!(error.field() == "planner" && error.to_string().contains("it was told to"), "{error}");
 }
 
 #[test]
-fn descriptions_are_checked() {
-    for (more, field, allowed) in [
-        (json!({"name": "Big"}), "name", "small letters"),
-        (json!({"kinds": []}), "kinds", "one kind"),
-        (json!({"kinds": ["arm"]}), "kinds[0]", "function, discs, grid, tour"),
-        (json!({"kinds": ["tour", "grid"]}), "kinds", "tour alone"),
-        (json!({"parameters": [{"name": "a"}]}), "parameters[0].default", "a number from"),
-        (json!({"parameters": [{"name": "a", "default": 5, "max": 4}]}), "parameters[0].default", "to 4"),
-        (json!({"parameters": [{"name": "a", "default": 5, "min": 9, "max": 4}]}), "parameters[0].max", "from min on"),
-        (json!({"parameters": [{"name": "a", "default": 1.5, "integer": true}]}), "parameters[0].default", "a number from 0"),
-        (json!({"parameters": [{"name": "a", "default": "x", "options": ["y", "z"]}]}), "parameters[0].default", "one of y, z"),
-        (json!({"parameters": [{"name": "a", "default": 1}, {"name": "a", "default": 1}]}), "parameters[1].name", "no other"),
-        (json!({"readings": [{"title": "A"}]}), "readings[0].name", "a text"),
-        (json!({"layers": [{"name": "a", "size": 1}]}), "layers[0].size", "left out"),
-        (json!({"more": 1}), "more", "left out"),
-    ] {
-        let error = described(more.clone()).err().unwrap_or_else(|| panic!("{more} is accepted"));
-        assert!(error.field() == field && error.to_string().contains(allowed), "{more}: {error}");
-    }
+fn a_description_becomes_an_entry() {
     let entry = described(json!({"parameters": [
-        {"name": "c1", "symbol": "c_1", "default": 1.5, "min": 0, "max": 4},
-        {"name": "ants", "integer": true, "default": 20, "min": 1, "max": 1000},
-        {"name": "update", "options": ["all", "best"], "default": "best"},
-        {"name": "iterations", "integer": true, "default": 50, "min": 1, "max": 100},
-    ]}))
+        {"name": "c1", "symbol": "c_1", "type": "number", "default": 1.5, "min": 0, "max": 4},
+        {"name": "ants", "type": "integer", "default": 20, "min": 1, "max": 1000},
+        {"name": "update", "type": "choice", "options": [{"value": "all"}, {"value": "some"}, {"value": "best"}], "default": "best"},
+        {"name": "iterations", "type": "integer", "default": 50, "min": 1, "max": 100},
+    ], "formulas": [{"name": "step", "tex": "x + r"}]}))
     .unwrap();
     let names: Vec<_> =
-        entry.all_parameters().map(|parameter| (parameter.name, parameter.default_on(crate::scene::FUNCTION).to_string())).collect();
+        entry.all_parameters().map(|parameter| (parameter.name, parameter.default_on(forage::scene::FUNCTION).to_string())).collect();
     assert_eq!(names, [("c1", "1.5".into()), ("ants", "20".into()), ("update", "best".into()), ("iterations", "50".into())]);
+    assert_eq!(entry.formulas[0].tex, "x + r");
+    for wrong in [json!({"name": 5}), json!({"kinds": []}), json!({"kinds": ["arm"]}), json!({"parameters": [{"name": "a"}]})] {
+        let error = described(wrong.clone()).err().unwrap_or_else(|| panic!("{wrong} is accepted"));
+        assert_eq!(error.field(), "planner", "{error}");
+    }
 }
