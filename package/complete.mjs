@@ -55,8 +55,9 @@ const bundle = (file, replaced = {}) =>
     output: { file: `${folder}/${file}`, format: 'esm', minify: true },
     logLevel: 'warn',
   })
-const own = ['core', 'glue', 'guard', 'node', 'own', 'page', 'words'].map((name) => `./${name}.js`)
+const own = ['catalogue', 'core', 'glue', 'guard', 'loader', 'node', 'own', 'page', 'words'].map((name) => `./${name}.js`)
 await bundle('words.js')
+for (const file of ['own', 'testing', 'testing.node']) await bundle(`${file}.js`)
 
 // The glue of wasm-bindgen calls a freed object's methods with no address. Here they say so by name, to free twice does nothing,
 // and no call reaches a module that broke down.
@@ -81,10 +82,11 @@ write('glue.js', `import { guarded, isGone, leave, mustBeOf } from './guard.js';
 const wasm = ['forage_bg', ...new Set(Object.values(files).flat())]
 const address = (file) => `() => new URL('./${file}', import.meta.url)`
 const tableOf = (names, file) => `{\n${names.map((name) => `  ${name}: ${address(file(name))},\n`).join('')}}`
-const partsFile = (holds) => `// What is in which part of the module, and where. Written by package/complete.mjs.
+const partsFile = (holds, scenes = []) => `// What is in which part of the module, and where. Written by package/complete.mjs.
 export const urls = ${tableOf(wasm, (name) => `${name}.wasm`)}
 export const files = ${JSON.stringify(files)}
 export const holds = ${JSON.stringify(holds)}
+export const scenes = ${tableOf(scenes, (part) => `scenes/${part}.json`)}
 `
 
 write(
@@ -109,7 +111,8 @@ const refused = (call) => {
   }
   return []
 }
-const session = new core.Session({ planner: catalogue.planners[0].name, scene: catalogue.scenes[0].name })
+const fileOf = (name) => JSON.parse(readFileSync(new URL(`../scenes/${name}.json`, import.meta.url), 'utf8'))
+const session = new core.Session({ planner: catalogue.planners[0].name, scene: fileOf(catalogue.scenes[0].name) })
 /** A follower is known where it is not refused as unknown: it has nothing to follow here. */
 const follows = (name) => {
   try {
@@ -130,7 +133,6 @@ for (const file of ['worker', 'worker.node', 'session-worker', 'session-worker.n
 const asked = {
   planner: () => refused(() => core.checkParameter('', '', '', 0)),
   kind: () => refused(() => core.checkParameter(catalogue.planners[0].name, '', '', 0)),
-  scene: () => refused(() => core.checkScene('')),
   generator: () => refused(() => core.generateScene('', {}, 1)),
   follower: () => ['drive', 'motion'].filter(follows),
 }
@@ -146,15 +148,22 @@ for (const { name, parameters } of catalogue.planners) {
   const needed = parameters.flatMap((parameter) => (typeof parameter.default === 'string' ? (holds.planner[parameter.default] ?? []) : []))
   holds.planner[name] = [...new Set([...holds.planner[name], ...needed])]
 }
+holds.scene = Object.fromEntries(catalogue.scenes.map(({ name, kind }) => [name, holds.kind[kind]]))
 const shipped = { planner: catalogue.planners, scene: catalogue.scenes, generator: catalogue.generators }
 for (const [field, entries] of Object.entries(shipped))
   for (const { name } of entries) if (!holds[field][name]) throw new Error(`no part holds the ${field} ${name}`)
-for (const { name, kind } of catalogue.scenes) holds.scene[name] = holds.kind[kind]
 holds.role = {}
 // What reads a scene's field is asked for as a tool.
 holds.field = { expression: ['formulas'], objective: ['code'], objectives: ['code'] }
 holds.tool = Object.fromEntries(parts.map((part) => [part, [part]]))
-write('parts.js', partsFile(holds))
+
+// The scenes that ship are files apart: those of a part come with it.
+const partOf = ({ kind }) => holds.kind[kind][0] ?? 'swarm'
+const withScenes = [...new Set(catalogue.scenes.map(partOf))]
+mkdirSync(`${folder}/scenes`, { recursive: true })
+for (const part of withScenes)
+  write(`scenes/${part}.json`, JSON.stringify(catalogue.scenes.filter((scene) => partOf(scene) === part).map(({ name }) => fileOf(name))))
+write('parts.js', partsFile(holds, withScenes))
 
 // What the bundled libraries ask for.
 const notice = (name) => {
@@ -167,7 +176,19 @@ const notice = (name) => {
 write('THIRD-PARTY.md', `${read('THIRD-PARTY.md')}${['@fluent/bundle', 'comlink'].map(notice).join('')}`)
 
 // The entries. What only the loader calls is not for users.
-const inner = new Set(['add', 'bringBy', 'freed', 'speakBy', 'start', 'initSync', '__wbg_reset_state'])
+const inner = new Set([
+  'add',
+  'addScenes',
+  'bringBy',
+  'freed',
+  'lent',
+  'lentList',
+  'registerPlanner',
+  'speakBy',
+  'start',
+  'initSync',
+  '__wbg_reset_state',
+])
 const names = [...glue.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).filter((name) => !inner.has(name))
 const passed = `\nexport { ${names.join(', ')} } from './glue.js'\nexport { ModuleDead } from './guard.js'\n`
 write('core.js', `${read('core.js')}\nexport const shapes = ${JSON.stringify(catalogue.shapes)}\n`)
@@ -250,6 +271,30 @@ export const shapes: readonly Shape[];
 /** All that ships: planners with their parameters, scenes, generators. */
 export function catalogue(): Catalogue;
 
+export type * from './planner.js';
+
+/**
+ * Adds a planner in JavaScript to those that are known, in the place of one of the same name that was added before. It is in this thread
+ * only: sessions in other threads do not know it.
+ *
+ * \`\`\`js
+ * const { name } = await register({
+ *   name: 'random-search', kinds: ['function'],
+ *   start: () => ({ cost: Infinity, position: null }),
+ *   advance(state, { box, evaluate, random }) {
+ *     const position = box.low.map((low, k) => low + (box.high[k] - low) * random())
+ *     const cost = evaluate(position)
+ *     return cost < state.cost ? { cost, position } : state
+ *   },
+ *   best: ({ cost, position }) => position && { cost, position },
+ * })
+ * const session = new Session({ planner: name, scene: 'sphere', seed: 5 })
+ * \`\`\`
+ *
+ * Throws an \`Error\` with the \`field\` that is wrong, its \`value\` and what is \`allowed\`.
+ */
+export function register<State extends object>(planner: import('./planner.js').PlannerInJavaScript<State>): Promise<Catalogue['planners'][number]>;
+
 /** A function that says a message: undefined where it has no words. */
 export type Say = (key: string, args: Record<string, number | string>) => string | undefined;
 
@@ -315,7 +360,7 @@ const contents = {
   files: 'files of other programs',
   generators: 'random scenes',
   formulas: 'functions by formula',
-  code: 'functions from code',
+  code: 'functions and planners from code',
   pictures: 'pictures as SVG',
   statistics: 'statistics of many runs',
 }
@@ -361,6 +406,7 @@ const description = {
   exports: {
     '.': entry('forage', 'forage', 'node'),
     ...Object.fromEntries(['swarm', ...parts].map((part) => [`./${part}`, entry('part', part, `${part}.node`)])),
+    './testing': entry('testing', 'testing', 'testing.node'),
     './worker': entry('worker', 'worker', 'worker.node'),
     './session-worker': entry('session-worker', 'session-worker', 'session-worker.node'),
     './core': { types: './core.d.ts', default: './core.js' },
@@ -370,6 +416,7 @@ const description = {
     './words': { types: './words.d.ts', default: './words.js' },
     './*.wasm': './*.wasm',
     './locales/*': './locales/*',
+    './scenes/*': './scenes/*',
     './catalogue.json': './catalogue.json',
     './package.json': './package.json',
   },

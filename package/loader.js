@@ -2,7 +2,7 @@
  * What is loaded of the module, and how the rest of it comes. The first part holds what every run needs, and the swarms; other parts
  * share its memory and its functions. `host` says where files are read from: at once (Node), or over the network (a page).
  */
-import { __wbg_reset_state as startAgain, add, bringBy, initSync, speakBy as speakByHost } from './glue.js'
+import { __wbg_reset_state as startAgain, add, addScenes as addScenesOf, bringBy, initSync, speakBy as speakByHost } from './glue.js'
 import { sayDeadBy } from './guard.js'
 import { files, holds } from './parts.js'
 
@@ -29,6 +29,8 @@ export const PARTS = Object.keys(files)
 const added = new Set()
 /** The compiled code of the files that are linked. */
 const linked = new Map()
+/** The scenes of each part whose scenes are there, as texts. */
+const scenes = new Map()
 let shared
 /** How messages are said, and whether that is the user's way. */
 let said
@@ -58,6 +60,7 @@ export function reset() {
   if (!shared) return
   startAgain()
   share(initSync())
+  for (const texts of scenes.values()) addScenesOf(texts)
   const files = [...linked]
   const parts = [...added]
   // Not before: where memory is short it throws, and the next attempt needs them.
@@ -92,6 +95,14 @@ export function addParts(parts) {
     if (!add(part)) throw new Error(`the module has no part \`${part}\``)
     added.add(part)
   }
+}
+
+/** Adds the scenes that ship with a part, after the module is there. */
+export function addScenes(part, list) {
+  if (scenes.has(part)) return
+  const texts = list.map((scene) => JSON.stringify(scene))
+  scenes.set(part, texts)
+  addScenesOf(texts)
 }
 
 /** What a call asks for may be in another part. */

@@ -4,9 +4,21 @@
 import { readFileSync } from 'node:fs'
 import { speaker, words } from './english.js'
 import { initSync } from './glue.js'
-import { addParts, askBy, filesOf, linkFile, missing, partsOf, reset, share, speakBy, speakEnglish, speaksEnglish } from './loader.js'
-import { registrar } from './own.js'
-import { urls } from './parts.js'
+import {
+  addParts,
+  addScenes,
+  askBy,
+  filesOf,
+  linkFile,
+  missing,
+  partsOf,
+  reset,
+  share,
+  speakBy,
+  speakEnglish,
+  speaksEnglish,
+} from './loader.js'
+import { scenes, urls } from './parts.js'
 
 export { catalogue } from './catalogue.js'
 export { shapes } from './core.js'
@@ -14,18 +26,22 @@ export { partsOf, reset, speakBy }
 
 const say = speaker('en', {})
 
-function speak(part) {
-  if (speaksEnglish()) say.add(JSON.parse(readFileSync(words[part]())))
+const read = (url) => JSON.parse(readFileSync(url()))
+
+/** Adds the words and the scenes of a part. */
+function complete(part) {
+  if (speaksEnglish()) say.add(read(words[part]))
+  if (scenes[part]) addScenes(part, read(scenes[part]))
 }
 
 share(initSync({ module: readFileSync(urls.forage_bg()) }))
-speak('swarm')
+complete('swarm')
 speakEnglish(say)
 
 /** Reads parts of the module that are not there yet: for a call that must not be the first one to do it. */
 export function loadNow(...parts) {
   for (const file of filesOf(missing(parts))) linkFile(file, new WebAssembly.Module(readFileSync(urls[file]())))
-  for (const part of missing(parts)) speak(part)
+  for (const part of missing(parts)) complete(part)
   addParts(parts)
 }
 
@@ -50,5 +66,8 @@ export function serveBy() {}
 /** In Node everything is ready on import; this keeps code that calls `await init()` working. */
 export default async function init() {}
 
-/** Adds a planner in JavaScript: see `PlannerInJavaScript`. */
-export const register = /* @__PURE__ */ registrar(load)
+/** Adds a planner in JavaScript. */
+export async function register(planner) {
+  const own = await import('./own.js')
+  return own.register(planner, load)
+}

@@ -5,6 +5,7 @@
 import { begin } from './core.js'
 import {
   addParts,
+  addScenes,
   askBy,
   filesOf,
   isAdded,
@@ -18,8 +19,7 @@ import {
   speakEnglish,
   speaksEnglish,
 } from './loader.js'
-import { registrar } from './own.js'
-import { urls } from './parts.js'
+import { scenes, urls } from './parts.js'
 
 export { shapes } from './core.js'
 export { partsOf, reset, speakBy }
@@ -107,13 +107,23 @@ const spoken = (part) =>
     speakEnglish(say)
   })
 
+/** The scenes that ship with a part, while its code comes. */
+const set = (part) =>
+  once(`scenes ${part}`, async () => {
+    if (!scenes[part]) return
+    const list = await (await response(`scenes/${part}.json`, scenes[part])).json()
+    await core()
+    addScenes(part, list)
+  })
+
 /**
  * Loads parts of the module besides the first one: `grid`, `tour`, `arm`, `links`, `files`, `formulas`, `code`, `generators`,
  * `pictures`, `statistics`.
  * What is there already is not loaded again.
  */
 export async function load(...parts) {
-  await Promise.all([link(parts), ...['swarm', ...parts].map(spoken), ...PARTS.filter(isAdded).map(spoken)])
+  const all = [...new Set(['swarm', ...parts, ...PARTS.filter(isAdded)])]
+  await Promise.all([link(parts), ...all.flatMap((part) => [spoken(part), set(part)])])
 }
 
 /** Loads what a page needs to begin with: the swarms, and links. `source`: where the first part is, if it is not where this file is. */
@@ -139,5 +149,8 @@ export async function ready(make) {
   }
 }
 
-/** Adds a planner in JavaScript: see `PlannerInJavaScript`. */
-export const register = /* @__PURE__ */ registrar(load)
+/** Adds a planner in JavaScript. */
+export async function register(planner) {
+  const own = await import('./own.js')
+  return own.register(planner, load)
+}

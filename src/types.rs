@@ -13,7 +13,7 @@ use crate::{
     follow::{drive::DriveOutcome, motion::MotionOutcome},
     kernel::{Event, Exact, Header, Inspection, Item, Stage, Status, Subtask, SubtaskResult, inspection::Table},
     run::{Outcome, link::Contents, trial::Record},
-    scene::{discs::DiscsScene, formats::Imported, function::Function, grid::GridScene, tour::TourScene},
+    scene::{discs::DiscsScene, function::Function, grid::GridScene, tour::TourScene},
     statistics::{Bands, Comparison, Group, Reached},
 };
 
@@ -143,12 +143,13 @@ enum SceneFile {
     Arm(ArmFile),
 }
 
-/// All declarations with their documentation, by name.
+/// All declarations with their documentation, by name; `more` adds those of other crates.
 ///
 /// # Panics
 /// If two types have one name: one of them would be missing.
-pub fn declarations() -> String {
+pub fn declarations(more: impl FnOnce(&mut Declarations)) -> String {
     let mut found = Declarations { config: Config::new().with_large_int("number"), seen: Vec::new(), text: BTreeMap::new() };
+    more(&mut found);
     found.visit::<SceneFile>();
     found.visit::<WholeCatalogue>();
     found.visit::<WholeOutcome>();
@@ -168,13 +169,13 @@ pub fn declarations() -> String {
     found.visit::<Bands>();
     found.visit::<Comparison>();
     found.visit::<Reached>();
-    found.visit::<Imported>();
     found.visit::<arm::Pose>();
     found.visit::<arm::Answer>();
     found.text.into_values().collect()
 }
 
-struct Declarations {
+/// The declarations so far.
+pub struct Declarations {
     config: Config,
     seen: Vec<TypeId>,
     /// By name: the order in which types are visited is arbitrary.
@@ -182,6 +183,11 @@ struct Declarations {
 }
 
 impl Declarations {
+    /// Adds a type, and those that it is made of.
+    pub fn with<T: TS + 'static>(&mut self) {
+        self.visit::<T>();
+    }
+
     fn add(&mut self, name: String, text: String) {
         let known = self.text.get(&name);
         assert!(known.is_none_or(|known| *known == text), "two types are called {name}");
@@ -218,6 +224,6 @@ mod tests {
 
     #[test]
     fn all_types_are_declared_once() {
-        assert_eq!(declarations().matches("export type Friedman").count(), 1);
+        assert_eq!(declarations(|_| ()).matches("export type Friedman").count(), 1);
     }
 }

@@ -152,9 +152,10 @@ test('what a run needs is known by name before it is loaded', () => {
 test('a host that brings no part learns which one is needed', () => {
   const told = alone(`
     import { checkScene, initSync, parseLink, Session, speakBy } from './pkg/glue.js'
-    import { askBy, share } from './pkg/loader.js'
+    import { addScenes, askBy, share } from './pkg/loader.js'
     import { readFileSync } from 'node:fs'
     share(initSync({ module: readFileSync('pkg/forage_bg.wasm') }))
+    addScenes('swarm', JSON.parse(readFileSync('pkg/scenes/swarm.json')))
     speakBy((key, args) => key + ' ' + Object.values(args).join(' '))
     askBy((parts, known) => known ? parts.join() : undefined)
     const grid = { format: 'forage-scene', version: 1, kind: 'grid' }

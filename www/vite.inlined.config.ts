@@ -16,6 +16,7 @@ const core = at('../pkg')
 const files = [
   ...readdirSync(core).filter((file) => file.endsWith('.wasm')),
   ...readdirSync(`${core}/locales/en`).map((file) => `locales/en/${file}`),
+  ...readdirSync(`${core}/scenes`).map((file) => `scenes/${file}`),
   'catalogue.json',
 ]
 

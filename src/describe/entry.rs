@@ -140,7 +140,7 @@ impl Entry {
     /// Sets the equations that it computes.
     #[must_use]
     pub const fn formulas(self, formulas: &'static [Formula]) -> Self {
-        Self { formulas, ..self }
+        Self { formulas: if ENGLISH { formulas } else { &[] }, ..self }
     }
 
     /// Sets what it does, line by line: `$…$` is TeX, `@name@` a reading or a parameter, two spaces are a level.

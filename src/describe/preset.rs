@@ -50,7 +50,7 @@ impl Preset {
         scene: &'static str,
         values: &'static [(&'static str, Fixed)],
     ) -> Self {
-        Self { name, title: words(title), help: words(help), scene, values }
+        Self { name, title: words(title), help: words(help), scene: words(scene), values }
     }
 
     /// The values as overrides.

@@ -26,7 +26,9 @@ pub struct Registry {
     kinds: Vec<&'static SceneKind>,
     generators: Vec<&'static Generator>,
     followers: Vec<&'static Follower>,
-    /// The scenes that ship with the kinds, read when one is asked for first.
+    /// Texts of scenes besides those that ship with the kinds.
+    texts: Vec<&'static str>,
+    /// All of these scenes, read when one is asked for first.
     scenes: OnceLock<Vec<Arc<Scene>>>,
 }
 
@@ -72,6 +74,15 @@ impl Registry {
     /// One that lists nothing.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Lists scenes by the texts of their files, besides those that ship with the kinds: for a build that leaves those out
+    /// (`SceneKind { shipped: &[], ..grid::KIND }`) and loads them when they are needed. A text that is no scene is left out.
+    #[must_use]
+    pub fn with_scenes(mut self, texts: &[&'static str]) -> Self {
+        self.texts.extend(texts);
+        self.scenes = OnceLock::new();
+        self
     }
 
     /// With one more entry: at the end of its list, or in the place of the one with the same name.
@@ -183,12 +194,17 @@ impl Registry {
         Scene::read_value(&self.kinds, value)
     }
 
-    /// The scenes that ship with the kinds, kind by kind in the order in which they are offered.
+    /// The scenes that ship with the kinds, kind by kind in the order in which they are offered, and those that came besides.
     pub fn scenes(&self) -> &[Arc<Scene>] {
         self.scenes.get_or_init(|| {
-            let texts = self.kinds.iter().flat_map(|kind| kind.shipped);
+            let texts = self.kinds.iter().flat_map(|kind| kind.shipped).chain(&self.texts);
             // A test reads all of ours, so that none is left out in silence.
-            texts.filter_map(|text| self.read_scene(text).ok().map(Arc::new)).collect()
+            let rank = |scene: &Scene| self.kinds.iter().position(|kind| kind.id == scene.kind());
+            let mut all = Vec::new();
+            for scene in texts.filter_map(|text| self.read_scene(text).ok()) {
+                all.insert(all.partition_point(|other: &Arc<Scene>| rank(other) <= rank(&scene)), Arc::new(scene));
+            }
+            all
         })
     }
 

@@ -5,8 +5,8 @@ use crate::{
     message,
 };
 
-/// The largest coordinate or size: squares of it keep their digits.
-pub(crate) const LARGEST: f64 = 1e6;
+/// The largest coordinate or size of a scene: squares of it keep their digits.
+pub const LARGEST: f64 = 1e6;
 
 /// Refuses numbers that are not finite.
 pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {

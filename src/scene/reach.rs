@@ -13,7 +13,7 @@ pub(super) fn beside(cell: usize, columns: usize, count: usize) -> impl Iterator
 
 /// Marks every cell that can be reached from one, and lists them, the farthest last, by straight steps. (Diagonal steps
 /// reach no more cells: without corner cutting they need both cells beside them free.)
-pub(super) fn reach(blocked: &[bool], columns: usize, from: usize, seen: &mut [bool]) -> Vec<usize> {
+pub fn reach(blocked: &[bool], columns: usize, from: usize, seen: &mut [bool]) -> Vec<usize> {
     let mut found = vec![from];
     seen[from] = true;
     let mut next = 0;

@@ -6,8 +6,8 @@ use wasm_bindgen::{JsCast, prelude::*};
 use forage::{
     Error, Scene,
     kernel::{allowed, limits},
-    scene::formats::{self, Format, NamedFile, tour_file},
 };
+use forage_formats::{self as formats, Format, NamedFile, tour_file};
 
 use crate::{
     JsFormat, JsImported, JsNamedFileOrNull, JsNamedFiles, JsNumber, JsScene, Session, js_error, object, plain,

@@ -55,7 +55,7 @@ pub use generate::generate_scene;
 pub use links::{offer_links, parse_link};
 pub use own::{lent, lent_list, register_planner};
 pub use pictures::offer_pictures;
-pub use registry::{Entries, know};
+pub use registry::{Entries, add_scenes, know};
 pub use scenes::check_scene;
 pub use statistics::{bands, compare, offer_statistics, reached};
 pub use trial::Trial;

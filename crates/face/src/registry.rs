@@ -15,6 +15,8 @@ pub type Entries = fn(Registry) -> Registry;
 #[derive(Default)]
 struct Known {
     parts: Vec<(u8, Entries)>,
+    /// The texts of scenes that the host has brought.
+    scenes: Vec<&'static str>,
     /// Planners that somebody has brought since.
     own: Vec<&'static Entry>,
     /// Kept for ever: runs hold on to it, and there are as many as a module has parts.
@@ -49,8 +51,17 @@ pub(crate) fn know_own(entry: &'static Entry) {
 impl Known {
     fn list(&mut self) {
         let registry = self.parts.iter().fold(Registry::new(), |registry, (_, entries)| entries(registry));
-        self.registry = Some(Box::leak(Box::new(Arc::new(registry.with_all(&self.own)))));
+        self.registry = Some(Box::leak(Box::new(Arc::new(registry.with_all(&self.own).with_scenes(&self.scenes)))));
     }
+}
+
+/// Adds scenes by the texts of their files: those that ship, where the module leaves them out.
+#[wasm_bindgen(js_name = addScenes, skip_typescript)]
+pub fn add_scenes(texts: Vec<String>) {
+    KNOWN.with_borrow_mut(|known| {
+        known.scenes.extend(texts.into_iter().map(|text| &*text.leak()));
+        known.list();
+    });
 }
 
 /// Sets who brings what is not here: a function of `planner`, `kind`, `scene`, `generator`, `follower`, `role` or `tool` and the

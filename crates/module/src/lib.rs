@@ -4,7 +4,7 @@
 //! worth it for what many users never see, and costs a request.
 #![cfg(target_arch = "wasm32")]
 
-use forage::{follow, registry, scene};
+use forage::{describe::SceneKind, follow, registry, scene};
 use forage_face::{know, offer_arm, offer_code, offer_files, offer_links, offer_pictures, offer_statistics};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -23,10 +23,22 @@ enum Rank {
     Others,
 }
 
+/// The kinds without the scenes that ship with them: the host loads those of a part with it.
+const fn alone(kind: SceneKind) -> SceneKind {
+    SceneKind { shipped: &[], ..kind }
+}
+
+static DISCS: SceneKind = alone(scene::discs::KIND);
+static FUNCTION: SceneKind = alone(scene::function::NAMED);
+static FORMULA: SceneKind = alone(scene::function::KIND);
+static GRID: SceneKind = alone(scene::grid::KIND);
+static TOUR: SceneKind = alone(scene::tour::KIND);
+static ARM: SceneKind = alone(scene::arm::KIND);
+
 #[wasm_bindgen(start)]
 fn start() {
-    know(Rank::Discs as u8, |registry| registry.with(&scene::discs::KIND));
-    know(Rank::Function as u8, |registry| registry.with(&scene::function::NAMED));
+    know(Rank::Discs as u8, |registry| registry.with(&DISCS));
+    know(Rank::Function as u8, |registry| registry.with(&FUNCTION));
     know(Rank::Swarms as u8, |registry| registry.with_all(registry::SWARMS));
 }
 
@@ -72,16 +84,16 @@ macro_rules! parts {
 
 parts! {
     grid, "__wasm_split_00grid00_import_00000000000000000000000000000001_grid", "__wasm_split_00grid00_export_00000000000000000000000000000001_grid", {
-        know(Rank::Grid as u8, |registry| registry.with(&scene::grid::KIND));
+        know(Rank::Grid as u8, |registry| registry.with(&GRID));
         know(Rank::Searches as u8, |registry| registry.with_all(registry::SEARCHES));
         know(Rank::Drives as u8, |registry| registry.with_all(registry::DRIVES).with(&follow::drive::ENTRY));
     }
     tour, "__wasm_split_00tour00_import_00000000000000000000000000000002_tour", "__wasm_split_00tour00_export_00000000000000000000000000000002_tour", {
-        know(Rank::Tour as u8, |registry| registry.with(&scene::tour::KIND));
+        know(Rank::Tour as u8, |registry| registry.with(&TOUR));
         know(Rank::Tours as u8, |registry| registry.with_all(registry::TOURS));
     }
     arm, "__wasm_split_00arm00_import_00000000000000000000000000000003_arm", "__wasm_split_00arm00_export_00000000000000000000000000000003_arm", {
-        know(Rank::Arm as u8, |registry| registry.with(&scene::arm::KIND));
+        know(Rank::Arm as u8, |registry| registry.with(&ARM));
         know(Rank::Trees as u8, |registry| registry.with_all(registry::TREES).with(&follow::motion::ENTRY));
         offer_arm();
     }
@@ -92,7 +104,7 @@ parts! {
         offer_files();
     }
     formulas, "__wasm_split_00formulas00_import_00000000000000000000000000000009_formulas", "__wasm_split_00formulas00_export_00000000000000000000000000000009_formulas", {
-        know(Rank::Function as u8, |registry| registry.with(&scene::function::KIND));
+        know(Rank::Function as u8, |registry| registry.with(&FORMULA));
     }
     code, "__wasm_split_00code00_import_00000000000000000000000000000010_code", "__wasm_split_00code00_export_00000000000000000000000000000010_code", {
         offer_code();

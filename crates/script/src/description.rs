@@ -1,10 +1,10 @@
 //! What a planner says of itself, read into an entry. Whoever hosts its code has checked it: the package's `describe` names the field
-//! that is wrong. Texts live as long as the program: there are as many as planners that somebody brings.
+//! that is wrong, and keeps the texts for people. Names live as long as the program: there are as many as planners that somebody brings.
 
 use serde_json::Value;
 
 use forage::{
-    describe::{Entry, Formula, Group, Layer, Reading, Start, layers},
+    describe::{Entry, Group, Layer, Reading, Start, layers},
     kernel::{Error, LayerKey, SceneKindId, Started, fields::shown},
     message,
     params::{Choice, Domain, Param, Parameter},
@@ -30,8 +30,8 @@ fn list<'a>(value: &'a Value, field: &str) -> &'a [Value] {
     value[field].as_array().map_or(&[], Vec::as_slice)
 }
 
-/// The entry of a planner that describes itself as the catalogue lists planners: by a `name`, a `title`, a `summary`, `kinds` of scenes,
-/// `parameters`, `readings`, `formulas` and `layers`.
+/// The entry of a planner that describes itself as the catalogue lists planners: by a `name`, a `title`, `kinds` of scenes, `parameters`, `readings` and
+/// `layers`.
 ///
 /// # Errors
 /// [`Error::Refused`] for `planner`, where it is no such description.
@@ -40,17 +40,20 @@ pub fn entry(described: &Value, start: fn(&Start) -> Result<Started, Error>) -> 
     let parameters: Option<Vec<_>> = list(described, "parameters").iter().map(parameter).collect();
     let name = text(described, "name");
     let (false, false, Some(mut parameters)) = (name.is_empty(), kinds.is_empty(), parameters) else {
-        return Err(Error::refused("planner", shown(&described["name"]), message!("script-described", "a planner as the catalogue lists them")));
+        return Err(Error::refused(
+            "planner",
+            shown(&described["name"]),
+            message!("script-described", "a planner as the catalogue lists them"),
+        ));
     };
     if parameters.iter().all(|parameter| parameter.name != ITERATIONS.name()) {
         parameters.push(ITERATIONS.entry());
     }
-    let mut entry = Entry::new(name, text(described, "title"), "", text(described, "summary"), start).family("own");
+    let mut entry = Entry::new(name, text(described, "title"), "", "", start).family("own");
     entry.stops = kinds == [TOUR];
     entry.kinds = leak(kinds);
     entry.parameters = leak(vec![leak(parameters)]);
     entry.readings = leak(list(described, "readings").iter().map(reading).collect());
-    entry.formulas = leak(list(described, "formulas").iter().map(formula).collect());
     entry.layers = leak(list(described, "layers").iter().map(layer).collect());
     Ok(Box::leak(Box::new(entry)))
 }
@@ -70,23 +73,19 @@ fn parameter(said: &Value) -> Option<Parameter> {
         "integer" => Domain::Integer { min: bound("min")? as u64, max: bound("max")? as u64, default: default.as_f64()? as u64 },
         _ => Domain::Number { min: bound("min")?, max: bound("max")?, default: default.as_f64()? },
     };
-    let mut parameter = Param::number(text(said, "name"), text(said, "symbol"), text(said, "title"), [0.0; 3], text(said, "help")).entry();
+    let mut parameter = Param::number(text(said, "name"), "", "", [0.0; 3], "").entry();
     parameter.domain = domain;
     Some(parameter)
 }
 
 fn reading(said: &Value) -> Reading {
-    Reading::new(text(said, "name"), text(said, "symbol"), text(said, "title"), Group::Measure, text(said, "help"))
-}
-
-fn formula(said: &Value) -> Formula {
-    Formula::new(text(said, "name"), text(said, "source"), text(said, "title"), text(said, "tex"), "")
+    Reading::new(text(said, "name"), "", "", Group::Measure, "")
 }
 
 /// A layer with the look of a standard one of its name, or that of particles.
 fn layer(said: &Value) -> Layer {
     let role = text(said, "role");
     let look = layers::COMMON.iter().find(|layer| layer.key.0 == role).map_or(layers::PARTICLES.look, |layer| layer.look);
-    let layer = Layer::new(LayerKey(role), text(said, "title"), text(said, "help"), look);
+    let layer = Layer::new(LayerKey(role), "", "", look);
     if said["pickable"] == true { layer.pickable() } else { layer }
 }

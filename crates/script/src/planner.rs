@@ -138,36 +138,38 @@ impl Scripted {
         }
         let Some(tools) = &self.tools else { return Ok(best) };
         let scene = tools.scene();
-        match &best.solution {
-            Solution::Position(position) => {
-                let wanted = scene.get::<FunctionScene>().ok().map(FunctionScene::search_box);
-                let inside = wanted.is_some_and(|wanted| {
-                    let sides = wanted.low().iter().zip(wanted.high());
-                    position.len() == wanted.dimension() && position.iter().zip(sides).all(|(x, (low, high))| (low..=high).contains(&x))
-                });
-                if inside { Ok(best) } else { Err(message!("script-position", "its best is no position in the search box")) }
-            }
-            Solution::Path(path) => {
-                let ends = scene.ends();
-                let whole = path.len() > 1 && path.iter().flatten().all(|x| x.is_finite());
-                let right = ends.is_some_and(|(start, goal)| path.first() == Some(&start) && path.last() == Some(&goal));
-                if whole && right { Ok(best) } else { Err(message!("script-path", "its best is no path from the start to the goal")) }
-            }
-            Solution::Tour { order, .. } => {
-                let Ok(tour) = scene.get::<TourScene>() else {
-                    return Err(message!("script-no-stops", "its best is a tour, and the scene has no stops"));
-                };
-                if !tour.ends().allows(order, tour.len()) {
-                    return Err(message!("script-order", "its best has not {stops}", stops = each_stop(tour.len())));
+        if let Ok(function) = scene.get::<FunctionScene>() {
+            let search_box = function.search_box();
+            let sides = search_box.low().iter().zip(search_box.high());
+            let inside = |position: &[f64]| position.iter().zip(sides).all(|(x, (low, high))| (low..=high).contains(&x));
+            return match &best.solution {
+                Solution::Position(position) if position.len() == search_box.dimension() && inside(position) => Ok(best),
+                _ => Err(message!("script-position", "its best is no position in the search box")),
+            };
+        }
+        if let Ok(tour) = scene.get::<TourScene>() {
+            return match best.solution {
+                Solution::Tour { order, .. } if tour.ends().allows(&order, tour.len()) => {
+                    let places = tour.places();
+                    let mut path: Vec<_> = order.iter().map(|&stop| places[stop]).collect();
+                    if tour.ends().closes() {
+                        path.push(path[0]);
+                    }
+                    Ok(Candidate { cost: best.cost, solution: Solution::Tour { order, ends: tour.ends(), path } })
                 }
-                let places = tour.places();
-                let mut path: Vec<_> = order.iter().map(|&stop| places[stop]).collect();
-                if tour.ends().closes() {
-                    path.push(path[0]);
-                }
-                Ok(Candidate { cost: best.cost, solution: Solution::Tour { order: order.clone(), ends: tour.ends(), path } })
+                _ => Err(message!("script-order", "its best has not {stops}", stops = each_stop(tour.len()))),
+            };
+        }
+        match (&best.solution, scene.ends()) {
+            (Solution::Path(path), Some((start, goal)))
+                if path.len() > 1
+                    && path.iter().flatten().all(|x| x.is_finite())
+                    && path.first() == Some(&start)
+                    && path.last() == Some(&goal) =>
+            {
+                Ok(best)
             }
-            _ => Err(message!("script-solution", "its best is neither a position nor a path nor an order")),
+            _ => Err(message!("script-path", "its best is no path from the start to the goal")),
         }
     }
 }

@@ -158,12 +158,11 @@ fn a_description_becomes_an_entry() {
         {"name": "ants", "type": "integer", "default": 20, "min": 1, "max": 1000},
         {"name": "update", "type": "choice", "options": [{"value": "all"}, {"value": "some"}, {"value": "best"}], "default": "best"},
         {"name": "iterations", "type": "integer", "default": 50, "min": 1, "max": 100},
-    ], "formulas": [{"name": "step", "tex": "x + r"}]}))
+    ]}))
     .unwrap();
     let names: Vec<_> =
         entry.all_parameters().map(|parameter| (parameter.name, parameter.default_on(forage::scene::FUNCTION).to_string())).collect();
     assert_eq!(names, [("c1", "1.5".into()), ("ants", "20".into()), ("update", "best".into()), ("iterations", "50".into())]);
-    assert_eq!(entry.formulas[0].tex, "x + r");
     for wrong in [json!({"name": 5}), json!({"kinds": []}), json!({"kinds": ["arm"]}), json!({"parameters": [{"name": "a"}]})] {
         let error = described(wrong.clone()).err().unwrap_or_else(|| panic!("{wrong} is accepted"));
         assert_eq!(error.field(), "planner", "{error}");

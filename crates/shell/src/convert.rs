@@ -9,11 +9,10 @@ use forage::{
     Error, Scene,
     arm::ArmScene,
     kernel::Message,
-    scene::{
-        DiscsScene, FunctionScene, GridScene, TourScene,
-        formats::{self, ENDINGS, Format, NamedFile},
-    },
+    scene::{DiscsScene, FunctionScene, GridScene, TourScene},
 };
+
+use forage_formats::{self as formats, ENDINGS, Format, NamedFile};
 
 use super::{
     args::ConvertArgs,

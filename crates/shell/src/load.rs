@@ -11,8 +11,9 @@ use forage::{
     Error, Link, Overrides, Scene, Setup, Value,
     describe::{Follower, Suggestion},
     kernel::{Message, SceneKindId, limits, rng},
-    scene::formats::{self, Format, NamedFile},
 };
+
+use forage_formats::{self as formats, Format, NamedFile};
 
 use super::{
     args::RunArgs,

@@ -1,5 +1,7 @@
 //! Stops on a grid, so that tours can be looked for where there was one way.
 
+use std::sync::Arc;
+
 use crate::{
     kernel::{Error, limits, rng::Stream},
     message,
@@ -38,7 +40,7 @@ pub fn with_stops(scene: &Scene, n: usize, seed: u64) -> Result<Scene, Error> {
         published: None,
         ..header.clone()
     };
-    grid::KIND.scene(header, GridScene { stops, ..grid.clone() })
+    Scene::new(header, Arc::new(GridScene { stops, ..grid.clone() }), grid::KIND.optimum)
 }
 
 /// Puts up to `n` stops on a grid; returns how many there was room for.

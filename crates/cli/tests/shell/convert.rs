@@ -4,12 +4,10 @@ use std::path::PathBuf;
 
 use forage::{
     kernel::{ReferenceOptimum, TourEnds},
-    scene::{
-        GridScene, TourScene,
-        formats::{NamedFile, import},
-    },
+    scene::{GridScene, TourScene},
     standard,
 };
+use forage_formats::{NamedFile, import};
 
 use crate::support::{forage, text as words};
 

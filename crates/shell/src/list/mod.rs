@@ -4,11 +4,17 @@ mod entry;
 mod page;
 mod words;
 
+// Its messages are listed, too.
+use forage_script as _;
 use std::{fmt::Write, process::ExitCode};
 
 use crate::registry::registry;
 
-use forage::{Scene, kernel::message::sentences};
+use forage::{
+    Scene,
+    kernel::message::sentences,
+    types::{Declarations, declarations},
+};
 
 use super::{
     args::ListArgs,
@@ -23,7 +29,7 @@ use words::{family, kinds};
 
 pub(super) fn list(args: &ListArgs) -> Outcome {
     match &args.name {
-        None if args.types => print(&forage::types::declarations())?,
+        None if args.types => print(&declarations(Declarations::with::<forage_formats::Imported>))?,
         None if args.messages => print_json(&sentences())?,
         None if args.json => print_json(&registry().catalogue())?,
         None => print(&overview(columns()))?,

@@ -19,10 +19,11 @@ use forage::{
     kernel::Stepped,
     picture,
     run::{csv_heading, csv_line, csv_row},
-    scene::formats::{stem_of, tour_file},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
+
+use forage_formats::{stem_of, tour_file};
 
 use super::{
     args::RunArgs,

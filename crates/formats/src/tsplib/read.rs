@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::{
+use forage::{
     exact::{Distances, LONGEST, Metric},
     kernel::{Error, Message},
     message,
-    scene::{MAX_STOPS, TourScene, check::LARGEST, tour},
+    scene::{LARGEST, MAX_STOPS, TourScene, tour},
 };
 
 use super::{
@@ -93,7 +93,7 @@ pub(in super::super) fn import(file: &NamedFile) -> Result<Imported, Error> {
     let name = instance.name.strip_suffix(".tsp").unwrap_or(instance.name);
     let name = if name.is_empty() { stem(&file.name) } else { name };
     let note = [instance.comments, instance.notes.clone()].concat();
-    Ok(Imported::new(scene_named(name, file, "TSPLIB file", None, &tour::KIND, body, &note)?, instance.notes))
+    Ok(Imported::new(scene_named(name, file, "TSPLIB file", None, tour::KIND.optimum, body, &note)?, instance.notes))
 }
 
 impl<'a> Instance<'a> {

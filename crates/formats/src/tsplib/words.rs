@@ -2,12 +2,12 @@
 
 use std::{iter::Enumerate, str::Lines};
 
-use crate::{
+use forage::{
     kernel::{Error, Message},
     message,
 };
 
-use super::super::file::NamedFile;
+use crate::file::NamedFile;
 
 /// The place up to which a file was read.
 pub(super) struct Words<'a> {

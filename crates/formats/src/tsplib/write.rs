@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::{
+use forage::{
     exact::Metric,
     kernel::{Error, ReferenceOptimum, TourEnds, digits::Digits},
     message,

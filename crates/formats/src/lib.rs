@@ -15,14 +15,12 @@ mod ros;
 mod tests;
 mod tsplib;
 
-use crate::{
+use forage::{
     describe::Registry,
-    kernel::{Error, limits},
+    kernel::{Error, allowed::nothing, limits},
     message,
-    scene::GridScene,
+    scene::{GridScene, Scene},
 };
-
-use super::{Scene, check::nothing};
 
 pub use file::NamedFile;
 pub use report::{Exported, Imported, Problem};

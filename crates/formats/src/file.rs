@@ -1,6 +1,6 @@
 //! A file with its name, and how messages speak of it.
 
-use crate::{
+use forage::{
     kernel::{Error, Message, json},
     message,
     scene::MAX_SIDE,

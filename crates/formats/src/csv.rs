@@ -2,15 +2,11 @@
 
 use std::{fmt::Write, sync::Arc};
 
-use crate::{
+use forage::{
     exact::Metric,
-    kernel::{Error, digits::Digits},
+    kernel::{Error, allowed::nothing, digits::Digits},
     message,
-    scene::{
-        MAX_STOPS, Scene, TourScene,
-        check::{LARGEST, nothing},
-        tour,
-    },
+    scene::{LARGEST, MAX_STOPS, Scene, TourScene, tour},
 };
 
 use super::{
@@ -71,7 +67,7 @@ pub(super) fn import(file: &NamedFile) -> Result<Imported, Error> {
         return Err(file.wrong(last, &problem));
     }
     let body = Arc::new(TourScene::through(points, Metric::Euclidean));
-    Ok(Imported::new(scene(file, "CSV of points", None, &tour::KIND, body, &notes)?, notes))
+    Ok(Imported::new(scene(file, "CSV of points", None, tour::KIND.optimum, body, &notes)?, notes))
 }
 
 /// A line's fields without spaces and quotes around them; between quotes the separator is a character like others.
@@ -113,10 +109,10 @@ pub(super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Error> {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::formats::{Format, export as write, import as read};
+    use crate::{Format, export as write, import as read};
 
     use super::*;
-    use crate::standard;
+    use forage::standard;
 
     fn table(text: &str) -> Result<Imported, Error> {
         read(standard(), &[NamedFile::new("folder/a.csv", text)], None)

@@ -3,7 +3,7 @@
 
 use std::{fmt::Write, sync::Arc};
 
-use crate::{
+use forage::{
     exact::shortest_over_cells,
     geometry::YAxis,
     kernel::{Error, Message, digits::Digits, json},
@@ -65,7 +65,7 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
                 .ok_or_else(|| Error::malformed(map.label(), message!("files-no-free-cell", "no cell of the map is free")))?,
         );
     }
-    Ok(Imported { scene: scene(map, "MovingAI map", None, &grid::KIND, Arc::new(grid), &notes)?, notes, problems })
+    Ok(Imported { scene: scene(map, "MovingAI map", None, grid::KIND.optimum, Arc::new(grid), &notes)?, notes, problems })
 }
 
 fn read_map(file: &NamedFile, notes: &mut Vec<Message>) -> Result<GridScene, Error> {
@@ -219,7 +219,9 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
         notes.push(message!("files-scen-no-ends", "There is no .scen: the scene has no start and goal."));
     } else {
         // As the format has it: a point that goes from centre to centre and cuts no corners.
-        let endpoints = GridScene { robot: None, ..grid.clone() }.endpoints()?;
+        let mut point = grid.clone();
+        point.robot = None;
+        let endpoints = point.endpoints()?;
         let mut plain = GridScene::new(1.0, columns, grid.blocked.clone());
         let centre = |cell| [cell % columns, cell / columns].map(|i| i as f64 + 0.5);
         (plain.start, plain.goal) = (Some(centre(endpoints.start)), Some(centre(endpoints.goal)));

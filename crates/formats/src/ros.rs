@@ -8,11 +8,11 @@
 
 use std::sync::Arc;
 
-use crate::{
+use forage::{
     geometry::YAxis,
     kernel::{Error, Message, digits::Digits, json},
     message,
-    scene::{GridScene, check::LARGEST, grid},
+    scene::{GridScene, LARGEST, grid},
 };
 
 use super::{
@@ -275,12 +275,13 @@ pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, 
     if unclear > 0 {
         notes.push(are_unclear(unclear, image.columns * image.rows));
     }
-    let mut grid = GridScene { y_axis: YAxis::Up, ..GridScene::new(resolution, image.columns, blocked) };
+    let mut grid = GridScene::new(resolution, image.columns, blocked);
+    grid.y_axis = YAxis::Up;
     notes.push(
         ends::choose(&mut grid)
             .ok_or_else(|| Error::malformed(picture.label(), message!("files-no-free-cell", "no cell of the map is free")))?,
     );
-    Ok(Imported::new(scene(file, "ROS map", Some("m"), &grid::KIND, Arc::new(grid), &notes)?, notes))
+    Ok(Imported::new(scene(file, "ROS map", Some("m"), grid::KIND.optimum, Arc::new(grid), &notes)?, notes))
 }
 
 /// A map's two files.

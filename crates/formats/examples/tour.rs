@@ -1,12 +1,9 @@
-//! Reads stops in TSPLIB's format, finds a tour, and writes it as TSPLIB does: `cargo run --example tour > eight.tour`.
+//! Reads stops in TSPLIB's format, finds a tour, and writes it as TSPLIB does: `cargo run -p forage-lab-formats --example tour > eight.tour`.
 
 use std::sync::Arc;
 
-use forage::{
-    Error, Overrides, Run, Setup,
-    scene::formats::{NamedFile, import, tour_file},
-    standard,
-};
+use forage::{Error, Overrides, Run, Setup, standard};
+use forage_formats::{NamedFile, import, tour_file};
 
 const STOPS: &str = "NAME: eight
 TYPE: TSP

@@ -4,9 +4,8 @@ use serde::Serialize;
 
 use std::sync::Arc;
 
-use crate::{
-    describe::SceneKind,
-    kernel::{Error, Message, SceneBody},
+use forage::{
+    kernel::{Error, Message, Optimum, SceneBody},
     message,
     scene::{GridScene, Header, Scene},
 };
@@ -84,11 +83,11 @@ pub(super) fn scene(
     file: &NamedFile,
     source: &str,
     units: Option<&str>,
-    kind: &SceneKind,
+    optimum: Option<Optimum>,
     body: Arc<dyn SceneBody>,
     notes: &[Message],
 ) -> Result<Scene, Error> {
-    scene_named(stem(&file.name), file, source, units, kind, body, notes)
+    scene_named(stem(&file.name), file, source, units, optimum, body, notes)
 }
 
 /// A scene that was read and has a name of its own.
@@ -97,7 +96,7 @@ pub(super) fn scene_named(
     file: &NamedFile,
     source: &str,
     units: Option<&str>,
-    kind: &SceneKind,
+    optimum: Option<Optimum>,
     body: Arc<dyn SceneBody>,
     notes: &[Message],
 ) -> Result<Scene, Error> {
@@ -112,7 +111,7 @@ pub(super) fn scene_named(
         exact: None,
         published: None,
     };
-    Scene::new(header, body, kind.optimum).map_err(|error| Error::malformed(file.label(), error.message()))
+    Scene::new(header, body, optimum).map_err(|error| Error::malformed(file.label(), error.message()))
 }
 
 /// Notes that the file named is not the one that was given.

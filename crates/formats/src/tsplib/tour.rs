@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value};
 
-use crate::{
+use forage::{
     kernel::{Error, Message},
     message,
     scene::TourScene,
@@ -88,7 +88,7 @@ fn section(words: &mut Words, n: usize) -> Result<Vec<usize>, Error> {
 /// A tour as a TSPLIB file with this name. `order` counts stops from 0, the file from 1.
 ///
 /// ```
-/// let file = forage::scene::formats::tour_file("a.tour", &[1, 0, 2]);
+/// let file = forage_formats::tour_file("a.tour", &[1, 0, 2]);
 /// assert_eq!(file.bytes, b"NAME : a.tour\nTYPE : TOUR\nDIMENSION : 3\nTOUR_SECTION\n2\n1\n3\n-1\nEOF\n");
 /// ```
 pub fn tour_file(name: &str, order: &[usize]) -> NamedFile {

@@ -1,6 +1,6 @@
 //! Start and goal for maps that have none.
 
-use crate::{
+use forage::{
     geometry::YAxis,
     kernel::Message,
     message,

@@ -1,6 +1,6 @@
 //! Grey pictures: PGM as text (P2) and as bytes (P5).
 
-use crate::{
+use forage::{
     kernel::{Error, Message},
     message,
     scene::MAX_SIDE,

@@ -1,6 +1,6 @@
 //! What is read from each format, what is refused, and with which words.
 
-use crate::{exact::shortest_over_cells, geometry::YAxis, kernel::ReferenceOptimum, scene::GridScene, shipped, standard};
+use forage::{exact::shortest_over_cells, geometry::YAxis, kernel::ReferenceOptimum, scene::GridScene, shipped, standard};
 
 use super::{report::joined, *};
 
@@ -211,7 +211,7 @@ fn shut(row: &str, goal: &str) -> String {
 #[test]
 fn shipped_grids_survive_the_way_through_every_format() {
     let mut grids = 0;
-    for scene in crate::standard().scenes().iter().filter(|scene| scene.get::<GridScene>().is_ok()) {
+    for scene in forage::standard().scenes().iter().filter(|scene| scene.get::<GridScene>().is_ok()) {
         let grid = scene.get::<GridScene>().unwrap();
         grids += 1;
         for format in [Format::MovingAi, Format::Ros, Format::Json] {

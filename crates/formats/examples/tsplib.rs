@@ -1,14 +1,12 @@
 //! Measures TSPLIB's own tours by the crate's formulas. Its files do not ship, as it names no licence: who has them lays
 //! `NAME.tsp` and `NAME.opt.tour` into a folder.
 //!
-//! `cargo run --release --example tsplib -- FOLDER` prints each length beside the published one; it fails where they differ.
+//! `cargo run --release -p forage-lab-formats --example tsplib -- FOLDER` prints each length beside the published one; it fails where they differ.
 
 use std::{path::Path, process::ExitCode};
 
-use forage::scene::{
-    TourScene,
-    formats::{NamedFile, import},
-};
+use forage::scene::TourScene;
+use forage_formats::{NamedFile, import};
 
 /// Names of instances, and the lengths of their optimal tours.
 const OPTIMA: [(&str, f64); 17] = [
@@ -36,7 +34,7 @@ const CANONICAL: [(&str, f64); 3] = [("pcb442", 221_440.0), ("gr666", 423_710.0)
 
 fn main() -> ExitCode {
     let Some(folder) = std::env::args().nth(1) else {
-        eprintln!("usage: cargo run --release --example tsplib -- FOLDER");
+        eprintln!("usage: cargo run --release -p forage-lab-formats --example tsplib -- FOLDER");
         return ExitCode::from(2);
     };
     let read = |names: &[String]| -> Result<_, String> {

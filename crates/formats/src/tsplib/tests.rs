@@ -1,16 +1,14 @@
 //! Instances and tours that are read, and those that are refused, by their words.
 
-use crate::{
+use forage::{
     Scene,
     exact::Metric,
     kernel::{ReferenceOptimum, TourEnds},
-    scene::{
-        Header, TourScene,
-        formats::{Format, NamedFile, export, import, wanted},
-        tour,
-    },
+    scene::{Header, TourScene, tour},
     standard,
 };
+
+use crate::{Format, NamedFile, export, import, wanted};
 
 fn file(name: &str, text: impl AsRef<[u8]>) -> NamedFile {
     NamedFile::new(name, text.as_ref())
@@ -307,7 +305,7 @@ fn what_is_written_says_what_it_lost() {
     for format in [Format::MovingAi, Format::Ros] {
         assert_eq!(export(&matrix, format, "m").unwrap_err().allowed(), "grid");
     }
-    let grid = crate::shipped("wolf-ant-20").unwrap();
+    let grid = forage::shipped("wolf-ant-20").unwrap();
     for format in [Format::Tsplib, Format::Csv] {
         let error = export(&grid, format, "m").unwrap_err();
         assert_eq!((error.field(), error.value(), &*error.allowed()), ("kind", "grid", "tour"));

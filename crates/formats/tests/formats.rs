@@ -1,19 +1,17 @@
 //! Other programs' files over the public face: round trips and fuzzing.
 #![cfg(not(target_arch = "wasm32"))]
 
-#[path = "support/generated.rs"]
+#[path = "../../../tests/support/generated.rs"]
 mod generated;
 
 use forage::{
     Error, Overrides, Scene, Value,
     describe::Generator,
     kernel::{ReferenceOptimum, TourEnds},
-    scene::{
-        GRID, GridScene, TourScene,
-        formats::{Format, NamedFile, export, import, wanted},
-    },
+    scene::{GRID, GridScene, TourScene},
     standard,
 };
+use forage_formats::{Format, NamedFile, export, import, wanted};
 use generated::{GENERATED, digest};
 use proptest::prelude::*;
 
