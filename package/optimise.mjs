@@ -86,6 +86,7 @@ function optimise(name) {
   // Twice: the passes leave something for each other.
   module.optimize()
   module.optimize()
+  module.runPasses(['merge-locals', 'coalesce-locals', 'reorder-locals', 'vacuum'])
   // Functions in the order of their names: similar ones are neighbours, which gzip makes 11 kB smaller.
   module.runPasses(['reorder-functions-by-name', 'strip-debug', 'strip-producers'])
   write(module, `${out}/${name}`)
