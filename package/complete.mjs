@@ -1,7 +1,7 @@
 // Completes the package: what is in which part, words, catalogue, entries, types and package.json.
 //   node package/complete.mjs FOLDER PARTS SHELL   PARTS: the files of each part, as optimise.mjs has written it
 import { execFileSync } from 'node:child_process'
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
@@ -50,14 +50,27 @@ const bundle = (file, replaced = {}) =>
     input: new URL(file, import.meta.url).pathname,
     // The package's own files and Node's are not repeated.
     external: (name) => name.startsWith('node:') || own.includes(name),
-    resolve: { modules: [new URL('../www/node_modules', import.meta.url).pathname] },
+    // The interpreter's glue for pages is all that Node needs, too.
+    resolve: { modules: [new URL('../www/node_modules', import.meta.url).pathname], conditionNames: ['browser', 'import', 'default'] },
     transform: { define: replaced },
-    output: { file: `${folder}/${file}`, format: 'esm', minify: true },
+    output: { file: `${folder}/${file}`, format: 'esm', minify: true, codeSplitting: false },
     logLevel: 'warn',
   })
-const own = ['catalogue', 'core', 'glue', 'guard', 'loader', 'node', 'own', 'page', 'words'].map((name) => `./${name}.js`)
+const own = ['catalogue', 'core', 'glue', 'guard', 'interpreter', 'loader', 'node', 'own', 'page', 'parts', 'words'].map(
+  (name) => `./${name}.js`,
+)
 await bundle('words.js')
-for (const file of ['own', 'testing', 'testing.node']) await bundle(`${file}.js`)
+for (const file of ['own', 'testing', 'testing.node', 'isolate', 'isolate.node']) await bundle(`${file}.js`)
+
+// The interpreter, with the script that runs in it before an author's code.
+const { output } = await build({
+  input: new URL('own/inside.js', import.meta.url).pathname,
+  output: { format: 'iife', minify: true },
+  write: false,
+  logLevel: 'warn',
+})
+await bundle('interpreter.js', { INSIDE: JSON.stringify(output[0].code) })
+copyFileSync(require.resolve('@jitl/quickjs-wasmfile-release-sync/wasm'), `${folder}/interpreter.wasm`)
 
 // The glue of wasm-bindgen calls a freed object's methods with no address. Here they say so by name, to free twice does nothing,
 // and no call reaches a module that broke down.
@@ -87,6 +100,8 @@ export const urls = ${tableOf(wasm, (name) => `${name}.wasm`)}
 export const files = ${JSON.stringify(files)}
 export const holds = ${JSON.stringify(holds)}
 export const scenes = ${tableOf(scenes, (part) => `scenes/${part}.json`)}
+/** What code that is not trusted runs in. */
+export const interpreter = ${address('interpreter.wasm')}
 `
 
 write(
@@ -170,10 +185,14 @@ const notice = (name) => {
   const at = new URL(`../www/node_modules/${name}/`, import.meta.url)
   const { version, license } = JSON.parse(readFileSync(new URL('package.json', at), 'utf8'))
   const text = new URL('LICENSE', at)
-  if (license !== 'Apache-2.0') throw new Error(`${name} has another licence: ${license}`)
-  return `\n## Apache License 2.0\n\n- ${name} ${version}\n\n\`\`\`\n${readFileSync(existsSync(text) ? text : `${folder}/LICENSE-APACHE`, 'utf8').trim()}\n\`\`\`\n`
+  if (!['Apache-2.0', 'MIT'].includes(license)) throw new Error(`${name} has another licence: ${license}`)
+  const title = license === 'MIT' ? 'MIT License' : 'Apache License 2.0'
+  return `\n## ${title}\n\n- ${name} ${version}\n\n\`\`\`\n${readFileSync(existsSync(text) ? text : `${folder}/LICENSE-APACHE`, 'utf8').trim()}\n\`\`\`\n`
 }
-write('THIRD-PARTY.md', `${read('THIRD-PARTY.md')}${['@fluent/bundle', 'comlink'].map(notice).join('')}`)
+write(
+  'THIRD-PARTY.md',
+  `${read('THIRD-PARTY.md')}${['@fluent/bundle', 'comlink', 'quickjs-emscripten-core', '@jitl/quickjs-wasmfile-release-sync'].map(notice).join('')}`,
+)
 
 // The entries. What only the loader calls is not for users.
 const inner = new Set([
@@ -406,6 +425,7 @@ const description = {
   exports: {
     '.': entry('forage', 'forage', 'node'),
     ...Object.fromEntries(['swarm', ...parts].map((part) => [`./${part}`, entry('part', part, `${part}.node`)])),
+    './isolate': entry('isolate', 'isolate', 'isolate.node'),
     './testing': entry('testing', 'testing', 'testing.node'),
     './worker': entry('worker', 'worker', 'worker.node'),
     './session-worker': entry('session-worker', 'session-worker', 'session-worker.node'),

@@ -58,8 +58,9 @@ async function response(name, url) {
   return found
 }
 
-async function compiled(file) {
-  const found = await response(`${file}.wasm`, urls[file])
+/** The compiled code of a file. */
+export async function compiled(file, url = urls[file]) {
+  const found = await response(`${file}.wasm`, url)
   const bytes = found.clone()
   return WebAssembly.compileStreaming(found).catch(async (error) => {
     if (found.headers.get('content-type') === 'application/wasm') throw error

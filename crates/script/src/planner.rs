@@ -6,7 +6,7 @@ use forage::{
     describe::{Entry, Start},
     kernel::{
         Candidate, Digest, Error, Explain, Facets, Failure, Frame, Inspection, Item, Message, Planner, Progress, Readings, Shape, Solution,
-        Started, State, Status,
+        Started, State, Status, objective::Scratch,
     },
     message,
     scene::{FunctionScene, TourScene},
@@ -143,7 +143,16 @@ impl Scripted {
             let sides = search_box.low().iter().zip(search_box.high());
             let inside = |position: &[f64]| position.iter().zip(sides).all(|(x, (low, high))| (low..=high).contains(&x));
             return match &best.solution {
-                Solution::Position(position) if position.len() == search_box.dimension() && inside(position) => Ok(best),
+                Solution::Position(position) if position.len() == search_box.dimension() && inside(position) => {
+                    let known = self.best.as_ref() == Some(&best);
+                    let cost = if known { best.cost } else { function.objective().evaluate(position, &mut Scratch::default()).cost };
+                    // A cost that the code computes itself may be rounded.
+                    if (cost - best.cost).abs() > 1e-9 * cost.abs().max(1.0) {
+                        let said = best.cost;
+                        return Err(message!("script-untrue", "the cost of its best is said to be {said}; it is {cost}", said, cost));
+                    }
+                    Ok(best)
+                }
                 _ => Err(message!("script-position", "its best is no position in the search box")),
             };
         }

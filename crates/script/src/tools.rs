@@ -17,7 +17,6 @@ use forage::{
 #[derive(Clone)]
 pub struct Tools {
     scene: Arc<Scene>,
-    objective: Option<Arc<dyn Objective>>,
     scratch: Scratch,
     rng: Stream,
     /// A random number was drawn: the run is one of many.
@@ -28,9 +27,8 @@ pub struct Tools {
 impl Tools {
     /// Those of a run on this scene with this seed.
     pub fn new(scene: &Arc<Scene>, seed: u64) -> Self {
-        let objective = scene.get::<FunctionScene>().ok().map(|function| Arc::clone(function.objective()));
         let rng = Stream::new(seed, 0);
-        Self { scene: Arc::clone(scene), objective, scratch: Scratch::default(), rng, drawn: false, evaluations: 0 }
+        Self { scene: Arc::clone(scene), scratch: Scratch::default(), rng, drawn: false, evaluations: 0 }
     }
 
     /// The scene.
@@ -50,7 +48,7 @@ impl Tools {
 
     /// What is minimised, on a function.
     pub fn objective(&self) -> Option<&Arc<dyn Objective>> {
-        self.objective.as_ref()
+        self.scene.get::<FunctionScene>().ok().map(FunctionScene::objective)
     }
 
     /// A uniform number in [0, 1).
@@ -70,13 +68,7 @@ impl Tools {
     /// # Errors
     /// [`Error::Refused`] for a position of another dimension, and on a scene without a function.
     pub fn evaluate(&mut self, x: &[f64]) -> Result<f64, Error> {
-        let Some(objective) = &self.objective else {
-            return Err(Error::refused(
-                "evaluate",
-                "a position",
-                message!("script-no-function", "a path or an order: the scene has no function"),
-            ));
-        };
+        let objective = self.scene.get::<FunctionScene>()?.objective();
         let n = objective.search_box().dimension();
         if x.len() != n {
             return Err(Error::refused(

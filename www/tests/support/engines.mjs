@@ -72,6 +72,19 @@ async function firefox() {
   }
 }
 
+/** Playwright drives Chromium, except where all engines do the same. */
+export async function chromium() {
+  const { default: puppeteer } = await import('puppeteer-core')
+  const executablePath = process.env.CHROMIUM ?? onPath(['chromium', 'google-chrome'])
+  const browser = await puppeteer.launch({ executablePath, args: ['--no-sandbox'], defaultViewport: SIZE })
+  const page = await browser.newPage()
+  return {
+    open: (address) => page.goto(address),
+    run: (script, ...given) => page.evaluate(`(${script})(...${JSON.stringify(given)})`),
+    close: () => browser.close(),
+  }
+}
+
 /** Debian has no browser by itself for WebKit, but one for tests; it is driven by the protocol that all browsers speak. */
 async function webkit() {
   const [{ env, end }, port] = [await screen(), await freePort()]

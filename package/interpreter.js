@@ -1,0 +1,264 @@
+/*
+ * Planners by their code, in an interpreter of its own: it has no network, no clock, no document and no storage, takes a second for a
+ * step and 64 MB at most. For code that comes from somebody else.
+ */
+import { QuickJSFFI } from '@jitl/quickjs-wasmfile-release-sync/ffi'
+import load from '@jitl/quickjs-wasmfile-release-sync/emscripten-module'
+import { newQuickJSWASMModuleFromVariant, newVariant } from 'quickjs-emscripten-core'
+import { lent, lentList } from './glue.js'
+import { add } from './own.js'
+
+/** Written by package/complete.mjs: the script own/inside.js. */
+const PRELUDE = INSIDE
+
+/** In pages of a memory. */
+const MEGABYTE = 16
+/** In MB. */
+const MEMORY = 64
+/** In bytes. */
+const STACK = 256 * 1024
+/** How long a step may take, and what only shows something; in milliseconds. */
+const STEP = 900
+const LOOK = 300
+/** How long a code may be, in characters. */
+const LONGEST = 200_000
+/** Of an error's message, in characters. */
+const LONGEST_MESSAGE = 500
+/** How many lines are kept of what a code prints. */
+const LINES = 200
+const FILE = 'planner.js'
+const SHAPES = ['points', 'polyline', 'segments']
+
+const LANGUAGE = {
+  BaseObjects: true,
+  Eval: true,
+  StringNormalize: true,
+  RegExp: true,
+  RegExpCompiler: true,
+  JSON: true,
+  Proxy: true,
+  MapSet: true,
+  TypedArrays: true,
+  Promise: true,
+  BigInt: true,
+}
+
+let module_
+
+/** An interpreter with a memory of its own: whatever becomes of it, the next code finds a new one. `compiled` promises its code. */
+async function interpreterBy(compiled) {
+  module_ ??= compiled().catch((error) => {
+    module_ = undefined
+    throw error
+  })
+  const variant = { type: 'sync', importFFI: async () => QuickJSFFI, importModuleLoader: async () => load }
+  // The interpreter's own limit counts no more than the number of things: this one is the engine's.
+  const memory = new WebAssembly.Memory({ initial: 16 * MEGABYTE, maximum: MEMORY * MEGABYTE })
+  return { memory, quickjs: await newQuickJSWASMModuleFromVariant(newVariant(variant, { wasmModule: await module_, wasmMemory: memory })) }
+}
+
+const refused = (message, more = {}) => Object.assign(new RangeError(message), { code: 'refused', field: 'code', ...more })
+
+const tooMuch = `it needs more than ${MEMORY} MB`
+const tooLong = (limit) => `it took longer than ${limit} ms and was stopped`
+
+/** What went wrong, in words, with the line of the code where it did. */
+function faultOf(error, limit) {
+  const said = typeof error === 'object' && error !== null ? error : { message: error }
+  const name = String(said.name ?? 'Error').slice(0, 60)
+  const message = String(said.message ?? '').slice(0, LONGEST_MESSAGE)
+  const stack = String(said.stack ?? '').slice(0, 10 * LONGEST_MESSAGE)
+  const [, line, column] = String(stack).match(new RegExp(`${FILE}:(\\d+)(?::(\\d+))?`)) ?? []
+  const at = line && { line: Number(line), ...(column && { column: Number(column) }) }
+  const where = line ? ` (line ${line})` : ''
+  if (name === 'InternalError' && message === 'interrupted') return { message: `${tooLong(limit)}${where}`, ...at, stopped: 'time' }
+  if (name === 'InternalError' && message === 'out of memory') return { message: `${tooMuch}${where}`, ...at, stopped: 'memory' }
+  if (name === 'InternalError' && message === 'stack overflow') return { message: `its calls are nested too deeply${where}`, ...at }
+  return { message: `${name === 'Error' ? '' : `${name}: `}${message}${where}`, ...at }
+}
+
+/** A code in an interpreter. Nobody frees it: with the last of its runs the whole interpreter goes. */
+class Isolate {
+  constructor({ quickjs, memory }, onprint) {
+    this.memory = memory
+    this.deadline = Number.POSITIVE_INFINITY
+    this.lines = 0
+    this.runtime = quickjs.newRuntime()
+    this.runtime.setMaxStackSize(STACK)
+    this.runtime.setInterruptHandler(() => performance.now() > this.deadline)
+    this.runtime.setModuleLoader((name) =>
+      name === 'forage-lab'
+        ? 'export const register = globalThis.register'
+        : { error: new Error(`\`${name}\` can't be imported: only forage-lab is here`) },
+    )
+    this.context = this.runtime.newContext({ intrinsics: LANGUAGE })
+    this.lend(onprint)
+    this.run(PRELUDE, 'inside.js', STEP)
+    const inside = this.context.getProp(this.context.global, 'inside')
+    this.context.unwrapResult(this.context.evalCode('delete globalThis.inside')).dispose()
+    this.inside = inside
+    this.functions = new Map()
+  }
+
+  /** What the inside may call. An error that is thrown here is thrown there. */
+  lend(onprint) {
+    const { context } = this
+    const outside = context.newObject()
+    const offer = (name, call) => {
+      const offered = context.newFunction(name, (...given) => {
+        try {
+          return call(...given)
+        } catch (error) {
+          return { error: context.newError({ name: 'Error', message: error instanceof Error ? error.message : String(error) }) }
+        }
+      })
+      context.setProp(outside, name, offered)
+      offered.dispose()
+    }
+    offer('lent', (what, a, b) => context.newNumber(lent(context.getNumber(what), context.getNumber(a), context.getNumber(b))))
+    offer('list', (what, buffer) => context.newNumber(lentList(context.getNumber(what), this.numbersOf(buffer))))
+    offer('print', (text) => {
+      this.lines += 1
+      if (this.lines <= LINES) onprint?.(context.getString(text))
+    })
+    context.setProp(context.global, 'outside', outside)
+    outside.dispose()
+  }
+
+  numbersOf(handle) {
+    const view = this.context.getArrayBuffer(handle)
+    try {
+      return new Float64Array(view.value.slice().buffer)
+    } finally {
+      view.dispose()
+    }
+  }
+
+  /** Throws what the inside threw. */
+  valueOf(result, limit) {
+    if (!result.error) return result.value
+    const fault = faultOf(this.context.dump(result.error), limit)
+    // With no memory left there are no words either.
+    if (fault.message === '' && this.memory.buffer.byteLength > (MEMORY - 1) * 1024 * 1024)
+      Object.assign(fault, { message: tooMuch, stopped: 'memory' })
+    result.error.dispose()
+    throw Object.assign(new Error(fault.message), fault, { isFault: true })
+  }
+
+  within(limit, work) {
+    this.deadline = performance.now() + limit
+    try {
+      return work()
+    } catch (error) {
+      if ('stopped' in error || error.isFault) throw error
+      // The interpreter itself gave up: its own calls were nested too deeply for the engine, or it is out of order.
+      const deep = error instanceof RangeError || /recursion/.test(error.message)
+      throw Object.assign(new Error(deep ? 'its calls are nested too deeply' : `the interpreter broke down: ${error.message}`), {
+        isFault: true,
+      })
+    } finally {
+      this.deadline = Number.POSITIVE_INFINITY
+    }
+  }
+
+  run(code, file, limit, type = 'global') {
+    this.within(limit, () => {
+      const value = this.valueOf(this.context.evalCode(code, file, { type }), limit)
+      // What it awaits is done now: nothing comes from outside.
+      while (this.runtime.hasPendingJob()) {
+        const done = this.runtime.executePendingJobs(1)
+        if (done.error) this.valueOf(done, limit)
+        if (performance.now() > this.deadline) throw Object.assign(new Error(tooLong(limit)), { stopped: 'time' })
+      }
+      const state = type === 'module' ? this.context.getPromiseState(value) : undefined
+      if (state?.type === 'rejected') {
+        const error = state.error
+        this.valueOf({ error }, limit)
+      }
+      value.dispose()
+    })
+  }
+
+  /** A function of the inside; its result is read by `read`. */
+  call(name, given, limit, read) {
+    const { context } = this
+    let called = this.functions.get(name)
+    if (!called) {
+      called = context.getProp(this.inside, name)
+      this.functions.set(name, called)
+    }
+    const handles = given.map((value) => this.handleOf(value))
+    return this.within(limit, () => {
+      try {
+        const value = this.valueOf(context.callFunction(called, context.undefined, ...handles), limit)
+        try {
+          return read(value)
+        } finally {
+          value.dispose()
+        }
+      } finally {
+        for (const handle of handles) handle.dispose()
+      }
+    })
+  }
+
+  handleOf(value) {
+    const { context } = this
+    if (typeof value === 'number') return context.newNumber(value)
+    if (typeof value === 'string') return context.newString(value)
+    if (value instanceof Float64Array) return context.newArrayBuffer(value.slice().buffer)
+    return context.undefined.dup()
+  }
+
+  /** The functions that the core calls. */
+  host() {
+    const { context } = this
+    const number = (value) => context.getNumber(value)
+    const text = (value) => context.getString(value)
+    const list = (value) => this.numbersOf(value)
+    const isNull = (value) => context.typeof(value) === 'object' && context.sameValue(value, context.null)
+    return {
+      start: (scene, params, seed, low, high) =>
+        this.call('start', [JSON.stringify(scene), JSON.stringify(params), seed, low, high], STEP, number),
+      advance: (id) => this.call('advance', [id], STEP, number),
+      best: (id) =>
+        this.call('best', [id], LOOK, (value) => {
+          if (isNull(value)) return null
+          const [cost, kind, ...rest] = list(value)
+          return [cost, kind, Float64Array.from(rest)]
+        }),
+      readings: (id) => this.call('readings', [id], LOOK, list),
+      draw: (id) => {
+        const all = this.call('draw', [id], LOOK, list)
+        const pieces = []
+        for (let at = 0; at < all.length; at += 3 + all[at + 2])
+          pieces.push([all[at], SHAPES[all[at + 1]], all.slice(at + 3, at + 3 + all[at + 2])])
+        return pieces
+      },
+      explain: (id, layer, index) => JSON.parse(this.call('explain', [id, layer, index], LOOK, text)),
+      copy: (id) => this.call('copy', [id], STEP, number),
+      forget: (id) => this.call('forget', [id], LOOK, () => undefined),
+      digest: (id) => Uint32Array.from(this.call('digest', [id], STEP, list)),
+      size: (id) => this.call('size', [id], LOOK, number),
+      state: (id) => JSON.parse(this.call('state', [id], LOOK, text)),
+    }
+  }
+}
+
+/**
+ * Adds a planner by its code. `compiled` promises the interpreter's module, `loadCode` loads the part of the core that runs planners
+ * from code, `onprint` is given what the code prints.
+ */
+export async function registerCodeBy(code, { compiled, loadCode, onprint }) {
+  if (typeof code !== 'string' || code.length > LONGEST) throw refused(`code: it must be a text of at most ${LONGEST} characters`)
+  const [interpreter] = await Promise.all([interpreterBy(compiled), loadCode()])
+  const isolate = new Isolate(interpreter, onprint)
+  try {
+    isolate.run(code, FILE, STEP, 'module')
+  } catch (error) {
+    throw refused(`code: ${error.message}`, { line: error.line, column: error.column, stopped: error.stopped })
+  }
+  const described = JSON.parse(isolate.call('described', [], STEP, (value) => isolate.context.getString(value)))
+  if (described.code === 'refused') throw refused(described.message, described)
+  return add(described, isolate.host())
+}

@@ -1,0 +1,13 @@
+import type { Described } from './planner.js'
+
+/**
+ * Adds a planner by its code: a script that calls `register({ … })` once, which is there, or imports it from `forage-lab`. The code runs
+ * in an interpreter of its own, which is loaded when it is needed (231 kB): without network, clock, document and storage, a second for
+ * each step and 64 MB at most. `Math` has the bits of the core there. For code that comes from somebody else.
+ *
+ * Where a step takes longer the run ends as `failed`, and says so. What the code prints by `console.log` goes to `onprint`.
+ *
+ * Throws an `Error` with the `line` and `column` where the code is wrong, or the `field` of what it says of itself, and `stopped`, which
+ * is `time` or `memory`, where it was stopped.
+ */
+export function registerCode(code: string, options?: { onprint?: (line: string) => void }): Promise<Described>

@@ -1,0 +1,7 @@
+import { registerCodeBy } from './interpreter.js'
+import { compiled, load } from './page.js'
+import { interpreter } from './parts.js'
+
+/** Adds a planner by its code, which runs in an interpreter of its own. */
+export const registerCode = (code, { onprint } = {}) =>
+  registerCodeBy(code, { compiled: () => compiled('interpreter', interpreter), loadCode: () => load('code'), onprint })

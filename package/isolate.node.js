@@ -1,0 +1,8 @@
+import { readFileSync } from 'node:fs'
+import { registerCodeBy } from './interpreter.js'
+import { load } from './node.js'
+import { interpreter } from './parts.js'
+
+/** Adds a planner by its code, which runs in an interpreter of its own. */
+export const registerCode = (code, { onprint } = {}) =>
+  registerCodeBy(code, { compiled: async () => new WebAssembly.Module(readFileSync(interpreter())), loadCode: () => load('code'), onprint })

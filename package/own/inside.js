@@ -1,0 +1,118 @@
+/*
+ * The inside of the interpreter: this script runs there before an author's code. What is outside is reached by `lent` and `lentList`
+ * alone, and gives numbers; what goes out are numbers, texts and buffers.
+ */
+import { describe } from './describe.js'
+import { hostOf } from './host.js'
+
+const { lent, list, print } = globalThis.outside
+delete globalThis.outside
+const { parse, stringify } = JSON
+const listOf = Array.from
+
+/** An outside call with a list of numbers. */
+const lentList = (what, numbers) => list(what, numbers.buffer)
+
+// Mathematics that may differ between engines is the core's. Chance and time are none of it.
+const one = (what) => (x) => lent(what, +x, 0)
+const two = (what) => (x, y) => lent(what, +x, +y)
+Object.assign(Math, {
+  sin: one(3),
+  cos: one(4),
+  exp: one(5),
+  log: one(6),
+  pow: two(7),
+  atan2: two(8),
+  acos: one(9),
+  asin: one(10),
+  log10: one(11),
+  random() {
+    throw new Error('Math.random is another one each time: take `random` from what `start` and `advance` are given')
+  },
+})
+for (const name of ['tan', 'atan', 'sinh', 'cosh', 'tanh', 'asinh', 'acosh', 'atanh', 'expm1', 'log1p', 'log2', 'cbrt', 'hypot'])
+  delete Math[name]
+
+const shown = (value) => {
+  if (typeof value === 'string') return value
+  try {
+    return stringify(value) ?? String(value)
+  } catch {
+    return String(value)
+  }
+}
+const log = (...values) => print(values.map(shown).join(' ').slice(0, 1000))
+delete globalThis.SharedArrayBuffer
+delete globalThis.Atomics
+globalThis.console = { log, info: log, warn: log, error: log, debug: log }
+
+const given = []
+globalThis.register = async (planner) => {
+  given.push(planner)
+}
+
+let planner
+let host
+
+/** Plain data of a state, as text; typed arrays as lists. */
+const plainOf = (state) =>
+  stringify(state, (_, value) =>
+    ArrayBuffer.isView(value) ? listOf(value) : typeof value === 'number' && !Number.isFinite(value) ? String(value) : value,
+  )
+
+/** What the outside calls, by name. */
+globalThis.inside = {
+  /** What the planner says of itself, or why it is refused. */
+  described() {
+    if (given.length !== 1)
+      return stringify({
+        code: 'refused',
+        field: 'code',
+        message: `the code must call \`register({ … })\` once; it does so ${given.length} times`,
+      })
+    try {
+      planner = given[0]
+      const described = describe(planner)
+      host = hostOf(
+        planner,
+        described.layers.map(({ role }) => role),
+        { lent, lentList },
+      )
+      return stringify(described)
+    } catch ({ field, value, allowed, message }) {
+      return stringify({ code: 'refused', field, value, allowed, message })
+    }
+  },
+  start: (scene, params, seed, low, high) =>
+    host.start(parse(scene), parse(params), seed, low && new Float64Array(low), high && new Float64Array(high)),
+  advance: (id) => host.advance(id),
+  best(id) {
+    const found = host.best(id)
+    if (found === null) return null
+    const [cost, kind, numbers] = found
+    const out = new Float64Array(2 + numbers.length)
+    out.set([cost, kind])
+    out.set(numbers, 2)
+    return out.buffer
+  },
+  readings: (id) => host.readings(id).buffer,
+  /** Each piece: its layer, its shape, how many numbers, and those. */
+  draw(id) {
+    const shapes = ['points', 'polyline', 'segments']
+    const pieces = host.draw(id)
+    const out = new Float64Array(pieces.reduce((sum, [, , vertices]) => sum + 3 + vertices.length, 0))
+    let at = 0
+    for (const [layer, shape, vertices] of pieces) {
+      out.set([layer, shapes.indexOf(shape), vertices.length], at)
+      out.set(vertices, at + 3)
+      at += 3 + vertices.length
+    }
+    return out.buffer
+  },
+  explain: (id, layer, index) => stringify(host.explain(id, layer, index)),
+  copy: (id) => host.copy(id),
+  forget: (id) => host.forget(id),
+  digest: (id) => new Float64Array(host.digest(id)).buffer,
+  size: (id) => host.size(id),
+  state: (id) => plainOf(host.state(id)) ?? 'null',
+}
