@@ -57,17 +57,24 @@ const frozen = (value) => {
   return value
 }
 
+/** Where x and y of a plane's points are. */
+function planeOf({ kind, bounds, rows, cell }) {
+  if (kind === 'discs') return { low: bounds.min, high: bounds.max }
+  return kind === 'grid' ? { low: [0, 0], high: [rows[0].length * cell, rows.length * cell] } : undefined
+}
+
 /** What an author's functions are given, besides the state. */
 function toolsOf({ lent, lentList }, { scene, params, seed, low, high }, finish) {
   const evaluators = {
     function: (x) => lentList(LIST.evaluate, numbersOf('evaluate', x)),
     tour: (order) => lentList(LIST.tour, numbersOf('evaluate', order)),
   }
+  const box = low ? { low, high } : planeOf(scene)
   return Object.freeze({
     scene: frozen(scene),
     params: frozen(params),
     seed,
-    ...(low && { box: Object.freeze({ low: Object.freeze(Array.from(low)), high: Object.freeze(Array.from(high)) }) }),
+    ...(box && { box: frozen({ low: Array.from(box.low), high: Array.from(box.high) }) }),
     math: mathBy(lent),
     random: () => lent(SCALAR.random, 0, 0),
     normal: () => lent(SCALAR.normal, 0, 0),

