@@ -64,7 +64,7 @@ for (const file of ['own', 'testing', 'testing.node', 'isolate', 'isolate.node']
 
 // The interpreter, with the script that runs in it before an author's code.
 const { output } = await build({
-  input: new URL('own/inside.js', import.meta.url).pathname,
+  input: new URL('../crates/isolate/src/js/inside.js', import.meta.url).pathname,
   output: { format: 'iife', minify: true },
   write: false,
   logLevel: 'warn',

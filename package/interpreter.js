@@ -8,7 +8,7 @@ import { newQuickJSWASMModuleFromVariant, newVariant } from 'quickjs-emscripten-
 import { lent, lentList } from './glue.js'
 import { add } from './own.js'
 
-/** Written by package/complete.mjs: the script own/inside.js. */
+/** Written by package/complete.mjs: the script crates/isolate/src/js/inside.js. */
 const PRELUDE = INSIDE
 
 /** In pages of a memory. */

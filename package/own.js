@@ -3,8 +3,8 @@
  */
 import { lent, lentList, registerPlanner } from './glue.js'
 import { holdersOf } from './loader.js'
-import { describe, refused } from './own/describe.js'
-import { hostOf } from './own/host.js'
+import { describe, refused } from '../crates/isolate/src/js/describe.js'
+import { hostOf } from '../crates/isolate/src/js/host.js'
 
 export { describe }
 

@@ -42,6 +42,16 @@ for (const [name, code] of Object.entries(templates)) {
   })
 }
 
+test('every template has the hash that it has natively', async () => {
+  const stored = JSON.parse(readFileSync(new URL('../crates/isolate/tests/hashes.json', import.meta.url), 'utf8'))
+  assert.deepEqual(stored.map(([name]) => name).sort(), Object.keys(templates).sort())
+  for (const [name, scene, seed, hash] of stored) {
+    const session = new Session({ planner: (await registerCode(templates[name])).name, scene, seed })
+    session.step(20)
+    assert.equal(session.hash(), hash, name)
+  }
+})
+
 test('the tree comes to the goal, and the path is free', async () => {
   await register(plannerOf(templates.rrt))
   for (const scene of ['discs-gate', 'qpso-10m', 'rooms-20']) {

@@ -10,7 +10,6 @@ use forage::{
     Error,
     describe::{Entry, Start},
     kernel::{Candidate, Inspection, Item, Message, Shape, Started, javascript},
-    math,
     params::Object,
 };
 use forage_script::{self as script, Advanced, Call, Drawn, Script, Tools};
@@ -94,31 +93,14 @@ fn with_tools(work: &dyn Fn(&mut Tools) -> Result<f64, Error>) -> Result<f64, Js
 }
 
 fn scalar(what: u32, a: f64, b: f64) -> Result<f64, JsValue> {
-    let one: fn(f64) -> f64 = match what {
-        0 => return with_tools(&|tools| Ok(tools.random())),
-        1 => return with_tools(&|tools| Ok(tools.normal())),
-        2 => return with_tools(&|tools| tools.distance(a as usize, b as usize)),
-        3 => math::sin,
-        4 => math::cos,
-        5 => math::exp,
-        6 => math::ln,
-        7 => return Ok(math::pow(a, b)),
-        8 => return Ok(math::atan2(a, b)),
-        9 => math::acos,
-        10 => math::asin,
-        _ => math::log10,
-    };
-    Ok(one(a))
+    match script::mathematics(what, a, b) {
+        Some(found) => Ok(found),
+        None => with_tools(&|tools| tools.scalar(what, a, b)),
+    }
 }
 
 fn list(what: u32, numbers: &[f64]) -> Result<f64, JsValue> {
-    let points = numbers.as_chunks::<2>().0;
-    with_tools(&|tools| match (what, points) {
-        (0, _) => tools.evaluate(numbers),
-        (1, _) => tools.length(points),
-        (2, &[a, b]) => tools.is_free(a, b).map(f64::from),
-        _ => tools.tour(&script::stops(numbers)),
-    })
+    with_tools(&|tools| tools.list(what, numbers))
 }
 
 /// A planner by its place among those that were given.

@@ -14,5 +14,5 @@ mod tools;
 
 pub use description::{ITERATIONS, entry};
 pub use planner::{Advanced, Call, Drawn, Script, begin};
-pub use read::{candidate, inspection, not_lent, stops, threw};
-pub use tools::Tools;
+pub use read::{candidate, inspection, not_lent, threw};
+pub use tools::{Tools, mathematics};

@@ -9,9 +9,11 @@ use forage::{
         objective::{Objective, Scratch},
         rng::Stream,
     },
-    message,
+    math, message,
     scene::{FunctionScene, TourScene},
 };
+
+use super::read::stops;
 
 /// Random numbers, costs and geometry for the code of a planner.
 #[derive(Clone)]
@@ -139,12 +141,56 @@ impl Tools {
         }
     }
 
+    /// What is lent to code by number and takes up to two numbers: 0 a random number, 1 a normal one, 2 the distance of two stops.
+    ///
+    /// # Errors
+    /// As [`Self::distance`].
+    pub fn scalar(&mut self, what: u32, a: f64, b: f64) -> Result<f64, Error> {
+        match what {
+            0 => Ok(self.random()),
+            1 => Ok(self.normal()),
+            _ => self.distance(a as usize, b as usize),
+        }
+    }
+
+    /// What is lent by number and takes a list: 0 the value at a position, 1 the length of a path of corners, 2 whether the way between
+    /// two points is free, 3 the length of a tour.
+    ///
+    /// # Errors
+    /// As [`Self::evaluate`], [`Self::length`], [`Self::is_free`] and [`Self::tour`].
+    pub fn list(&mut self, what: u32, numbers: &[f64]) -> Result<f64, Error> {
+        let points = numbers.as_chunks::<2>().0;
+        match (what, points) {
+            (0, _) => self.evaluate(numbers),
+            (1, _) => self.length(points),
+            (2, &[a, b]) => self.is_free(a, b).map(f64::from),
+            _ => self.tour(&stops(numbers)),
+        }
+    }
+
     fn check_plane(&self, what: &'static str) -> Result<(), Error> {
         match self.scene.plane() {
             Some(_) => Ok(()),
             None => Err(Error::refused(what, self.scene.kind().name(), Message::verbatim("discs, grid"))),
         }
     }
+}
+
+/// Mathematics that is lent by number, to any call: the same bits everywhere. `None`: it needs [`Tools`].
+pub fn mathematics(what: u32, a: f64, b: f64) -> Option<f64> {
+    let one: fn(f64) -> f64 = match what {
+        0..3 => return None,
+        3 => math::sin,
+        4 => math::cos,
+        5 => math::exp,
+        6 => math::ln,
+        7 => return Some(math::pow(a, b)),
+        8 => return Some(math::atan2(a, b)),
+        9 => math::acos,
+        10 => math::asin,
+        _ => math::log10,
+    };
+    Some(one(a))
 }
 
 /// Of an order of stops.

@@ -23,7 +23,7 @@ pub(super) enum Command {
     ///
     /// Exit code 0: a feasible result; 1: none was found.
     #[command(after_help = examples::RUN)]
-    Run(RunArgs),
+    Run(Box<RunArgs>),
     /// Print the population and the iterations that a planner's paper recommends for a scene.
     #[command(after_help = examples::SUGGEST)]
     Suggest(SuggestArgs),
@@ -249,6 +249,9 @@ pub(super) struct RunArgs {
     /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link from the page.
     #[arg(long, value_name = "FILE|NAME|LINK", value_hint = ValueHint::FilePath)]
     pub(super) scene: Option<String>,
+    /// A planner in JavaScript: a script that calls `register({ … })` once. It runs in an interpreter without network, clock and files.
+    #[arg(long, value_name = "FILE.js", value_hint = ValueHint::FilePath)]
+    pub(super) code: Option<PathBuf>,
     /// 0 to 9007199254740991, or `random` for a new one. Default: 1, or the link's.
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(super) seed: Option<String>,

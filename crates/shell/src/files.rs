@@ -20,6 +20,8 @@ pub(super) const LARGEST_SCENE: Limit = Limit { bytes: limits::FILE_BYTES as u64
 pub(super) const LARGEST_EXPERIMENT: Limit = Limit { bytes: 4 << 20, what: "an experiment’s file" };
 /// The largest list of links: a thousand with scenes of their own.
 pub(super) const LARGEST_LIST: Limit = Limit { bytes: 256 << 20, what: "a list of links" };
+/// The longest code of a planner.
+pub(super) const LONGEST_CODE: Limit = Limit { bytes: 1 << 20, what: "a planner’s code" };
 /// The longest link.
 pub(super) const LONGEST_LINK: Limit = Limit { bytes: limits::LINK_BYTES as u64, what: "a link" };
 

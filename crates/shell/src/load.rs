@@ -19,10 +19,10 @@ use super::{
     args::RunArgs,
     failure::Failure,
     failure::in_file,
-    files::{self, LARGEST_SCENE, LONGEST_LINK},
+    files::{self, LARGEST_SCENE, LONGEST_CODE, LONGEST_LINK},
     names::{self, Subject},
     output::{note, notes},
-    registry::registry,
+    registry::{self, registry},
     text::quoted,
 };
 
@@ -120,9 +120,10 @@ pub(super) fn seed(text: &str) -> Result<u64, Error> {
 
 /// Everything `forage run` needs, checked as far as possible without starting the planner.
 pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
+    let own = args.code.as_deref().map(bring_code).transpose()?;
     let given_link = [&args.planner, &args.scene].into_iter().flatten().find(|text| Link::is_link(text));
     let given_link = given_link.map(|text| link(text)).transpose()?;
-    let planner = args.planner.as_deref().filter(|text| !Link::is_link(text));
+    let planner = args.planner.as_deref().filter(|text| !Link::is_link(text)).or(own);
     let mut task = match given_link {
         Some(link) => from_link(link, planner),
         None => from_names(planner, args.scene.as_deref())?,
@@ -131,6 +132,19 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
         (task.stop_at, task.expected_hash) = (None, None);
     }
     Ok(task)
+}
+
+/// Adds the planner of a code to those that are known; returns its name.
+fn bring_code(path: &Path) -> Result<&'static str, Failure> {
+    let code = String::from_utf8(files::read(path, LONGEST_CODE)?)
+        .map_err(|_| Failure::Refused(format!("{}: this is no text", files::quoted_path(path))))?;
+    let entry = forage_isolate::entry(&code).map_err(|error| in_file(path, &error))?;
+    if registry().planner(entry.name).is_ok() {
+        let name = entry.name;
+        return Err(Failure::Refused(format!("{}: there is a planner `{name}`; take another name", files::quoted_path(path))));
+    }
+    registry::bring(entry);
+    Ok(entry.name)
 }
 
 fn from_names(planner: Option<&str>, scene_name: Option<&str>) -> Result<Task, Failure> {
