@@ -11,3 +11,9 @@ import type { Described } from './planner.js'
  * is `time` or `memory`, where it was stopped.
  */
 export function registerCode(code: string, options?: { onprint?: (line: string) => void }): Promise<Described>
+
+/** The link of a run with the code of its planner, 8192 bytes of it at most, deflated. */
+export function withCode(link: string, code: string): Promise<string>
+
+/** The code that a link carries; undefined where it has none. */
+export function codeIn(link: string): Promise<string | undefined>

@@ -2,6 +2,8 @@ import { registerCodeBy } from './interpreter.js'
 import { compiled, load } from './page.js'
 import { interpreter } from './parts.js'
 
+export { codeIn, withCode } from './own/link.js'
+
 /** Adds a planner by its code, which runs in an interpreter of its own. */
 export const registerCode = (code, { onprint } = {}) =>
   registerCodeBy(code, { compiled: () => compiled('interpreter', interpreter), loadCode: () => load('code'), onprint })

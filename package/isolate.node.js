@@ -3,6 +3,8 @@ import { registerCodeBy } from './interpreter.js'
 import { load } from './node.js'
 import { interpreter } from './parts.js'
 
+export { codeIn, withCode } from './own/link.js'
+
 /** Adds a planner by its code, which runs in an interpreter of its own. */
 export const registerCode = (code, { onprint } = {}) =>
   registerCodeBy(code, { compiled: async () => new WebAssembly.Module(readFileSync(interpreter())), loadCode: () => load('code'), onprint })

@@ -18,16 +18,19 @@ register({
   ],
   formulas: [{ name: 'choice', title: 'How likely a stop is the next', tex: 'p_j \\propto \\tau_{ij}^\\alpha / d_{ij}^\\beta' }],
 
-  start({ scene }) {
+  start({ scene, params, distance, math }) {
     const n = scene.points.length
-    return { n, pheromone: new Float64Array(n * n).fill(1), last: null, order: null, cost: null }
+    const nearness = new Float64Array(n * n)
+    for (let i = 0; i < n; i += 1) for (let j = 0; j < n; j += 1) nearness[i * n + j] = 1 / math.pow(distance(i, j) + 1e-9, params.beta)
+    return { n, nearness, pheromone: new Float64Array(n * n).fill(1), last: null, order: null, cost: null }
   },
 
-  advance(state, tools) {
-    const { params, evaluate } = tools
+  advance(state, { params, evaluate, random, math }) {
+    // The same for all ants: computed once.
+    const pull = state.pheromone.map((tau, k) => math.pow(tau, params.alpha) * state.nearness[k])
     let [order, cost] = [null, Infinity]
     for (let ant = 0; ant < params.ants; ant += 1) {
-      const walked = walk(state, tools)
+      const walked = walk(state.n, pull, random)
       const length = evaluate(walked)
       if (length < cost) [order, cost] = [walked, length]
     }
@@ -51,12 +54,12 @@ register({
 })
 
 /** A walk over all stops, from the first one. */
-function walk({ n, pheromone }, { params, distance, random, math }) {
+function walk(n, pull, random) {
   const order = [0]
   const left = Array.from({ length: n - 1 }, (_, k) => k + 1)
   while (left.length > 0) {
     const i = order.at(-1)
-    const weights = left.map((j) => math.pow(pheromone[i * n + j], params.alpha) / math.pow(distance(i, j) + 1e-9, params.beta))
+    const weights = left.map((j) => pull[i * n + j])
     let rest = random() * weights.reduce((sum, weight) => sum + weight, 0)
     let chosen = 0
     while (chosen < left.length - 1 && rest >= weights[chosen]) {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { readdirSync, readFileSync } from 'node:fs'
 import { test } from 'node:test'
-import { registerCode } from '../pkg/isolate.node.js'
+import { codeIn, registerCode, withCode } from '../pkg/isolate.node.js'
 import { register, Session } from '../pkg/node.js'
 import { conform } from '../pkg/testing.node.js'
 
@@ -24,7 +24,8 @@ function plannerOf(code) {
 for (const [name, code] of Object.entries(templates)) {
   test(`${name} keeps to the contract, and is the same in the interpreter`, async () => {
     const planner = plannerOf(code)
-    const report = await conform(planner, { steps: 30 })
+    const scenes = planner.kinds[0] === 'tour' ? ['open-12', 'random-52'] : undefined
+    const report = await conform(planner, { steps: 15, scenes })
     // A tree that has not come to the goal yet has no result.
     const violations = report.violations.filter(({ found }) => !(name === 'rrt' && found.includes('there is no best solution')))
     assert.deepEqual(violations, [])
@@ -50,6 +51,23 @@ test('every template has the hash that it has natively', async () => {
     session.step(20)
     assert.equal(session.hash(), hash, name)
   }
+})
+
+test('code travels in links', async () => {
+  const session = new Session({ planner: (await registerCode(templates.rrt)).name, scene: 'discs-gate', seed: 3 })
+  session.step(20)
+  const link = await withCode(session.link(), templates.rrt)
+  assert.equal(await codeIn(link), templates.rrt)
+  assert.ok(link.length < 3000, `${link.length} characters`)
+  const opened = Session.fromLink(link)
+  opened.seek(20)
+  assert.equal(opened.hash(), session.hash())
+  const again = await withCode(link, 'register({})')
+  assert.equal(await codeIn(again), 'register({})')
+  assert.equal(await codeIn(session.link()), undefined)
+  const noise = Array.from({ length: 20000 }, () => String.fromCharCode(33 + Math.floor(90 * Math.random()))).join('')
+  await assert.rejects(withCode(link, noise), /at most 8192 bytes/)
+  for (const damaged of ['!', 'AAAA', 'A'.repeat(20000)]) await assert.rejects(codeIn(`#v=1&page.code=${damaged}`), { field: 'code' })
 })
 
 test('the tree comes to the goal, and the path is free', async () => {

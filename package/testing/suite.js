@@ -130,16 +130,18 @@ const CHECKS = {
   },
 }
 
-function scenesFor(all, kinds) {
+/** Those with these names, or the first few of each kind. */
+function scenesFor(all, kinds, names) {
+  if (names) return names.map((name) => all.find((scene) => scene.name === name) ?? { name })
   return kinds.flatMap((kind) => all.filter((scene) => scene.kind === kind).slice(0, MOST_SCENES))
 }
 
-export async function conformBy(host, scenes, planner, { steps = STEPS } = {}) {
+export async function conformBy(host, scenes, planner, { steps = STEPS, scenes: names } = {}) {
   const { Session, register, load, partsOf } = host
   const described = await register(planner)
   await load('links')
   const violations = []
-  for (const scene of scenesFor(scenes, described.kinds)) {
+  for (const scene of scenesFor(scenes, described.kinds, names)) {
     await load(...partsOf({ planner: described.name, scene: scene.name }))
     for (const seed of SEEDS) {
       const where = `${scene.name}, seed ${seed}`

@@ -26,6 +26,9 @@
 
 mod host;
 mod interpreter;
+mod link;
+
+pub use link::{MOST_IN_LINK, code_in, with_code};
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -43,7 +46,7 @@ use host::Hosted;
 /// The longest code, in bytes.
 const LONGEST: usize = 200_000;
 
-static KNOWN: Mutex<Vec<(&'static str, Arc<Hosted>)>> = Mutex::new(Vec::new());
+static KNOWN: Mutex<Vec<(&'static Entry, Arc<Hosted>)>> = Mutex::new(Vec::new());
 
 /// The entry of the planner that a code registers; it calls `register({ … })` once.
 ///
@@ -64,14 +67,14 @@ pub fn entry(code: &str) -> Result<&'static Entry, Error> {
         });
     }
     let entry = forage_script::entry(&described, start)?;
-    KNOWN.lock().unwrap_or_else(PoisonError::into_inner).push((entry.name, Arc::new(hosted)));
+    KNOWN.lock().unwrap_or_else(PoisonError::into_inner).push((entry, Arc::new(hosted)));
     Ok(entry)
 }
 
-/// The newest planner of a name counts.
+/// Two codes may give their planners one name: the entry says which one it is.
 fn start(start: &Start) -> Result<Started, Error> {
     let known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    let found = known.iter().rfind(|(name, _)| *name == start.entry.name).map(|(_, hosted)| Arc::clone(hosted));
+    let found = known.iter().find(|(entry, _)| std::ptr::eq(*entry, start.entry)).map(|(_, hosted)| Arc::clone(hosted));
     drop(known);
     let Some(found) = found else { return Err(Error::unknown("planner", start.entry.name, [])) };
     // Each run has an interpreter of its own: runs in many threads wait for nobody.

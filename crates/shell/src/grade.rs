@@ -5,14 +5,14 @@ use std::{
     path::Path,
     process::ExitCode,
     sync::{
-        Mutex, PoisonError,
+        Arc, Mutex, PoisonError,
         atomic::{AtomicUsize, Ordering},
     },
     thread,
 };
 
 use forage::{
-    Link,
+    Error, Link, Registry,
     run::{Judgement, Task},
 };
 use serde::Serialize;
@@ -21,6 +21,7 @@ use super::{
     args::GradeArgs,
     failure::{self, Failure, in_file},
     files::{self, LARGEST_LIST, LARGEST_SCENE, LONGEST_LINK, Limit},
+    load::own_planner,
     output::{note, print_raw},
     registry::registry,
 };
@@ -104,13 +105,10 @@ fn graded(task: &Task, all: &[Handed<'_>], jobs: Option<NonZeroUsize>) -> Vec<Ro
 
 fn row(task: &Task, one: &Handed<'_>) -> Row {
     let row = Row { line: one.line, name: one.name.to_owned(), ..Row::default() };
-    let link = LONGEST_LINK
-        .check("the link", one.link.len() as u64)
-        .and_then(|()| Link::parse(registry(), one.link).map_err(Failure::from))
-        .map_err(|failure| failure.message());
-    let link = match link {
-        Ok(link) => link,
-        Err(reason) => return Row { reason, ..row },
+    let opened = LONGEST_LINK.check("the link", one.link.len() as u64).and_then(|()| Ok(opened(one.link)?));
+    let (registry, link) = match opened {
+        Ok(opened) => opened,
+        Err(failure) => return Row { reason: failure.message(), ..row },
     };
     let row = Row {
         planner: link.setup.planner.clone(),
@@ -119,7 +117,7 @@ fn row(task: &Task, one: &Handed<'_>) -> Row {
         iteration: Some(link.iteration),
         ..row
     };
-    match task.judge(registry(), &link) {
+    match task.judge(&registry, &link) {
         Err(error) => Row { reason: Failure::from(error).message(), ..row },
         Ok(Judgement { reached, evaluations, verified, reasons, outcome, .. }) => Row {
             reached,
@@ -132,6 +130,17 @@ fn row(task: &Task, one: &Handed<'_>) -> Row {
             ..row
         },
     }
+}
+
+/// What a link says, and the planners that there are for it: with that of a code of its own.
+fn opened(link: &str) -> Result<(Arc<Registry>, Link), Error> {
+    let mut known = Arc::clone(registry());
+    if let Some(code) = forage_isolate::code_in(link)? {
+        let entry = own_planner(&code, &known)?;
+        known = Arc::new(Registry::clone(&known).with(entry));
+    }
+    let link = Link::parse(&known, link)?;
+    Ok((known, link))
 }
 
 fn csv_of(rows: &[Row]) -> Result<Vec<u8>, Failure> {

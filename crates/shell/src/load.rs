@@ -8,8 +8,8 @@ use std::{
 };
 
 use forage::{
-    Error, Link, Overrides, Scene, Setup, Value,
-    describe::{Follower, Suggestion},
+    Error, Link, Overrides, Registry, Scene, Setup, Value,
+    describe::{Entry, Follower, Suggestion},
     kernel::{Message, SceneKindId, limits, rng},
 };
 
@@ -120,8 +120,18 @@ pub(super) fn seed(text: &str) -> Result<u64, Error> {
 
 /// Everything `forage run` needs, checked as far as possible without starting the planner.
 pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
-    let own = args.code.as_deref().map(bring_code).transpose()?;
     let given_link = [&args.planner, &args.scene].into_iter().flatten().find(|text| Link::is_link(text));
+    let own = match (&args.code, given_link) {
+        (Some(path), _) => Some(bring(path)?),
+        (None, Some(link)) => {
+            // It is the link's planner, not another one on its scene.
+            if let Some(code) = forage_isolate::code_in(link)? {
+                own_planner(&code, registry()).map(registry::bring)?;
+            }
+            None
+        }
+        _ => None,
+    };
     let given_link = given_link.map(|text| link(text)).transpose()?;
     let planner = args.planner.as_deref().filter(|text| !Link::is_link(text)).or(own);
     let mut task = match given_link {
@@ -134,17 +144,22 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
     Ok(task)
 }
 
-/// Adds the planner of a code to those that are known; returns its name.
-fn bring_code(path: &Path) -> Result<&'static str, Failure> {
+/// Adds the planner of a file's code to those that are known; returns its name.
+fn bring(path: &Path) -> Result<&'static str, Failure> {
     let code = String::from_utf8(files::read(path, LONGEST_CODE)?)
         .map_err(|_| Failure::Refused(format!("{}: this is no text", files::quoted_path(path))))?;
-    let entry = forage_isolate::entry(&code).map_err(|error| in_file(path, &error))?;
-    if registry().planner(entry.name).is_ok() {
-        let name = entry.name;
-        return Err(Failure::Refused(format!("{}: there is a planner `{name}`; take another name", files::quoted_path(path))));
-    }
+    let entry = own_planner(&code, registry()).map_err(|error| in_file(path, &error))?;
     registry::bring(entry);
     Ok(entry.name)
+}
+
+/// The planner of a code, whose name must be another one than those that there are.
+pub(super) fn own_planner(code: &str, known: &Registry) -> Result<&'static Entry, Error> {
+    let entry = forage_isolate::entry(code)?;
+    match known.planner(entry.name) {
+        Ok(_) => Err(Error::refused("name", entry.name, Message::verbatim("a name that no other planner has"))),
+        Err(_) => Ok(entry),
+    }
 }
 
 fn from_names(planner: Option<&str>, scene_name: Option<&str>) -> Result<Task, Failure> {

@@ -1,10 +1,11 @@
 //! `forage run --code`: planners in JavaScript.
 
-use std::{fs, path::PathBuf};
+use std::{fs, path::PathBuf, sync::Arc};
 
+use forage::{Overrides, Registry, Run, Setup, shipped};
 use serde_json::Value;
 
-use crate::support::{forage, text};
+use crate::support::{empty_folder, forage, text};
 
 fn template(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../templates/{name}.js"))
@@ -25,7 +26,7 @@ fn code_that_is_wrong_is_refused() {
     for (name, code, words) in [
         ("loop.js", "for (;;);", "took longer than 900 ms"),
         ("half.js", "register({ name: 'half' })", "`kinds` is missing"),
-        ("taken.js", &fs::read_to_string(template("pso")).unwrap().replace("my-pso", "pso"), "there is a planner `pso`"),
+        ("taken.js", &fs::read_to_string(template("pso")).unwrap().replace("my-pso", "pso"), "no other planner has"),
         ("typed.js", "register({\n  name: 5 + })", "(line 2)"),
     ] {
         let file = folder.path().join(name);
@@ -34,4 +35,45 @@ fn code_that_is_wrong_is_refused() {
         let said = text(&run.stderr);
         assert!(run.status.code() == Some(2) && said.contains(words) && said.contains(name), "{name}: {said}");
     }
+}
+
+/// A link of a run of a template at an iteration, with its code.
+fn link(code: &str, scene: &str, at: u64) -> String {
+    let entry = forage_isolate::entry(code).unwrap();
+    let registry = Arc::new(Registry::standard().with(entry));
+    let setup = Setup { planner: entry.name.into(), scene: shipped(scene).unwrap(), params: Overrides::new(), seed: 1 };
+    let mut run = Run::new(&registry, setup).unwrap();
+    run.step(at);
+    forage_isolate::with_code(&run.link().unwrap(), code).unwrap()
+}
+
+#[test]
+fn a_link_with_code_is_run() {
+    let link = link(&fs::read_to_string(template("hill-climber")).unwrap(), "sphere-2", 50);
+    let run = forage(&["run", &link, "--json"]);
+    assert!(run.status.success(), "{}", text(&run.stderr));
+    let outcome: Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert!(outcome["planner"] == "my-hill-climber" && outcome["iterations"] == 50);
+}
+
+#[test]
+fn planners_that_are_handed_in_are_graded() {
+    let climber = fs::read_to_string(template("hill-climber")).unwrap();
+    // Two hand in planners of one name, and one that is no good.
+    let slow = climber.replace("default: 0.05", "default: 0.001");
+    let endless = climber.replace("advance(state, {", "advance(state) { for (;;); }, unused(state, {").replace("unused(", "draw(");
+    let links = [(climber.as_str(), 400), (slow.as_str(), 400)].map(|(code, at)| link(code, "sphere-2", at));
+    let stuck = forage_isolate::with_code("#v=1&planner=my-hill-climber&scene=sphere-2&seed=1&at=400", &endless).unwrap();
+    let folder = empty_folder("graded-code");
+    let [list, task] = ["links.txt", "task.json"].map(|name| folder.join(name));
+    fs::write(&list, format!("Ada {}\nBob {}\nCyd {stuck}\nDan #v=1&planner=my-hill-climber&scene=sphere-2&at=4\n", links[0], links[1]))
+        .unwrap();
+    fs::write(&task, r#"{"scene": "sphere-2", "goal": {"cost": 1}, "budget": {"evaluations": 1000}}"#).unwrap();
+    let output = forage(&["grade", list.to_str().unwrap(), "--task", task.to_str().unwrap()]);
+    let rows: Vec<String> = text(&output.stdout).lines().map(str::to_owned).collect();
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert!(rows[1].starts_with("true,") && rows[1].contains("Ada") && rows[1].contains("true,"), "{rows:?}");
+    assert!(rows[2].starts_with("false,") && rows[2].contains("Bob"), "{rows:?}");
+    assert!(rows[3].starts_with("false,") && rows[3].contains("Cyd"), "{rows:?}");
+    assert!(rows[4].contains("my-hill-climber") && rows[4].contains("Dan"), "{rows:?}");
 }
