@@ -2,7 +2,7 @@
 //! and little time for a step. The same code gives the same bits here, in a page and in Node.
 //!
 //! `js` has what runs in the interpreter before an author's code; the npm package takes it from here. `interpreter` holds the
-//! interpreter, `host` calls it as a [`Script`](forage_script::Script).
+//! interpreter, `host` calls it as a [`Script`].
 //!
 //! ```
 //! use std::sync::Arc;

@@ -20,7 +20,8 @@ const FIELDS = [
   'draw',
   'explain',
 ]
-const NAME = /^[a-z][a-z0-9_-]{0,59}$/
+const NAME = /^[a-z][a-z0-9_-]*$/
+const LONGEST_NAME = 60
 /** Of a title or a help text. */
 const LONGEST = 2000
 const MOST = 100
@@ -59,7 +60,7 @@ function reader(at, value, known) {
     text,
     name() {
       const found = value.name
-      if (typeof found !== 'string' || !NAME.test(found))
+      if (typeof found !== 'string' || found.length > LONGEST_NAME || !NAME.test(found))
         throw refused(path('name'), found, '1 to 60 small letters, digits, - and _, a letter first')
       return found
     },
