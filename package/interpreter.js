@@ -210,7 +210,9 @@ class Isolate {
     return context.undefined.dup()
   }
 
-  /** The functions that the core calls. */
+  /**
+   * The functions that the core calls. What comes out is looked at here: an author's code may change whatever the inside is made of.
+   */
   host() {
     const { context } = this
     const number = (value) => context.getNumber(value)
@@ -231,11 +233,24 @@ class Isolate {
       draw: (id) => {
         const all = this.call('draw', [id], LOOK, list)
         const pieces = []
-        for (let at = 0; at < all.length; at += 3 + all[at + 2])
-          pieces.push([all[at], SHAPES[all[at + 1]], all.slice(at + 3, at + 3 + all[at + 2])])
+        for (let at = 0; at < all.length; ) {
+          const [layer, shape, count] = all.subarray(at, at + 3)
+          const end = at + 3 + Math.max(0, Math.trunc(count) || 0)
+          pieces.push([layer, SHAPES[shape], all.slice(at + 3, end)])
+          at = end
+        }
         return pieces
       },
-      explain: (id, layer, index) => JSON.parse(this.call('explain', [id, layer, index], LOOK, text)),
+      explain: (id, layer, index) => {
+        const said = JSON.parse(this.call('explain', [id, layer, index], LOOK, text))
+        if (!Array.isArray(said) || typeof said[0] !== 'string' || typeof said[1] !== 'string') return null
+        const values = Array.isArray(said[2]) ? said[2] : []
+        return [
+          said[0],
+          said[1],
+          values.filter((pair) => Array.isArray(pair) && typeof pair[0] === 'string' && typeof pair[1] === 'number'),
+        ]
+      },
       copy: (id) => this.call('copy', [id], STEP, number),
       forget: (id) => this.call('forget', [id], LOOK, () => undefined),
       digest: (id) => Uint32Array.from(this.call('digest', [id], STEP, list)),
@@ -244,6 +259,17 @@ class Isolate {
     }
   }
 }
+
+const LISTS = { kinds: 'string', parameters: 'name', readings: 'name', formulas: 'name', layers: 'role' }
+
+/** Whether it has the form that a planner has in the catalogue. */
+const isEntry = (described) =>
+  typeof described?.name === 'string' &&
+  ['title', 'summary'].every((name) => typeof described[name] === 'string') &&
+  Object.entries(LISTS).every(
+    ([list, key]) =>
+      Array.isArray(described[list]) && described[list].every((item) => typeof (key === 'string' ? item : item?.[key]) === 'string'),
+  )
 
 /**
  * Adds a planner by its code. `compiled` promises the interpreter's module, `loadCode` loads the part of the core that runs planners
@@ -259,6 +285,7 @@ export async function registerCodeBy(code, { compiled, loadCode, onprint }) {
     throw refused(`code: ${error.message}`, { line: error.line, column: error.column, stopped: error.stopped })
   }
   const described = JSON.parse(isolate.call('described', [], STEP, (value) => isolate.context.getString(value)))
-  if (described.code === 'refused') throw refused(described.message, described)
+  if (described?.code === 'refused') throw refused(String(described.message), described)
+  if (!isEntry(described)) throw refused('code: it changes what reads it')
   return add(described, isolate.host())
 }

@@ -147,6 +147,15 @@ const HARMLESS = {
   }),
   'prototypes in what it says': `const said = JSON.parse('{"__proto__": {"polluted": 1}}'); ${planner({ summary: "String(said.polluted ?? '')" })}`,
   'JSON of its own': `JSON.stringify = () => '{"code":"mine"}'; JSON.parse = () => { throw new Error('mine') }; ${planner()}`,
+  'lists of its own': planner({
+    layers: "[{ name: 'particles', pickable: true }]",
+    draw: "({ x }, pen) => { Float64Array.prototype.set = function () { this.fill(-3) }; pen.points('particles', [x]) }",
+  }),
+  'explanations of its own': planner({
+    layers: "[{ name: 'best', pickable: true }]",
+    explain: "() => { Object.entries = () => ({ filter: () => null }); return { summary: 'a' } }",
+  }),
+  'an entry of its own': `Array.prototype.map = () => 5; ${planner()}`,
   'mathematics of its own': `Math.sin = () => 7; Math.sqrt = () => 7; ${planner()}`,
   'much that is printed': `for (let k = 0; k < 5000; k += 1) console.log('x'.repeat(5000)); ${planner()}`,
   'odd things that are printed': `console.log({ toString() { throw 1 }, toJSON() { throw 2 } }, Symbol('a'), 1n, undefined, null, () => 1, new Proxy({}, {})); ${planner()}`,
