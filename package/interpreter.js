@@ -77,7 +77,7 @@ function faultOf(error, limit) {
   return { message: `${name === 'Error' ? '' : `${name}: `}${message}${where}`, ...at }
 }
 
-/** A code in an interpreter. Nobody frees it: with the last of its runs the whole interpreter goes. */
+/** A code in an interpreter. Nobody frees it: when another one of its planner's name has come and its last run is over, it goes as a whole. */
 class Isolate {
   constructor({ quickjs, memory }, onprint) {
     this.memory = memory

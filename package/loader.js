@@ -68,6 +68,7 @@ export function reset() {
   added.clear()
   for (const [file, module] of files) linkFile(file, module)
   addParts(parts)
+  for (const work of again) work()
 }
 
 /** The parts among these that are not there yet. */
@@ -96,6 +97,10 @@ export function addParts(parts) {
     added.add(part)
   }
 }
+
+/** What is done after a restart: what was given to the module since is given again. */
+const again = []
+export const afterReset = (work) => void again.push(work)
 
 /** Adds the scenes that ship with a part, after the module is there. */
 export function addScenes(part, list) {

@@ -2,16 +2,59 @@
  * Planners in JavaScript: what an author writes becomes a planner like any other.
  */
 import { lent, lentList, registerPlanner } from './glue.js'
-import { holdersOf } from './loader.js'
+import { afterReset, holdersOf } from './loader.js'
 import { describe, refused } from '../crates/isolate/src/js/describe.js'
 import { hostOf } from '../crates/isolate/src/js/host.js'
 
 export { describe }
 
-/** Adds a planner to those that are known. `host`: who calls its code, if not this thread; `described`: what it says of itself. */
-export function add(described, host) {
+/** What was added last, by name. */
+const known = new Map()
+
+/** What a restarted module is given again. */
+function again() {
+  for (const { described, host } of known.values()) registerPlanner(described, host)
+}
+
+/** A host that is let go, and with it an interpreter, when another one has come and its last state is forgotten: the module keeps its shell. */
+function held(host) {
+  let states = 0
+  let replaced = false
+  const shell = {
+    ...host,
+    start(...given) {
+      const id = host.start(...given)
+      states += 1
+      return id
+    },
+    copy(id) {
+      states += 1
+      return host.copy(id)
+    },
+    forget(id) {
+      host.forget(id)
+      states -= 1
+      letGo()
+    },
+  }
+  function letGo() {
+    if (replaced && states === 0) for (const name of Object.keys(shell)) delete shell[name]
+  }
+  const replace = () => {
+    replaced = true
+    letGo()
+  }
+  return { host: shell, replace }
+}
+
+/** Adds a planner to those that are known. `given`: who calls its code; `described`: what it says of itself. */
+export function add(described, given) {
   if (holdersOf('planner', described.name)) throw refused('name', described.name, 'a name that no planner of the package has')
+  const { host, replace } = held(given)
   registerPlanner(described, host)
+  if (known.size === 0) afterReset(again)
+  known.get(described.name)?.replace()
+  known.set(described.name, { described, host, replace })
   return described
 }
 

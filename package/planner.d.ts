@@ -92,7 +92,7 @@ export interface LayerInJavaScript {
 export interface Pen {
   points(layer: string, points: readonly ArrayLike<number>[], weights?: ArrayLike<number>): void
   line(layer: string, points: readonly ArrayLike<number>[], weights?: ArrayLike<number>): void
-  /** Each two points are a line of their own. */
+  /** Lines that do not hang together: points 0 and 1, points 2 and 3, and so on. */
   segments(layer: string, points: readonly ArrayLike<number>[], weights?: ArrayLike<number>): void
 }
 

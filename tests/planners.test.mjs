@@ -1,7 +1,7 @@
 // Planners in JavaScript: all that planners of the package have, what is refused, and what the conformance suite says in words.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compare, parseLink, register, Session, Trial } from '../pkg/node.js'
+import { compare, parseLink, register, reset, Session, Trial } from '../pkg/node.js'
 import { conform } from '../pkg/testing.node.js'
 
 /** The hill climber of the contract. */
@@ -142,6 +142,33 @@ test('paths and tours are planned, and what is no solution ends the run', async 
   assert.throws(() => new Session({ planner: 'elsewhere', scene: 'qpso-10m-empty' }), /no path from the start to the goal/)
   await register(climber({ name: 'outside', best: () => ({ cost: 1, position: [1e9] }) }))
   assert.throws(() => new Session({ planner: 'outside', scene: 'sphere-2' }), /no position in the search box/)
+})
+
+test('a run goes on with its code when another one of its name comes, and a restart keeps the newest', async () => {
+  await register(climber())
+  const setup = { planner: 'hill-climber', scene: 'sphere-2', seed: 4 }
+  const [before, alone] = [new Session(setup), new Session(setup)]
+  alone.step(60)
+  before.step(30)
+  await register(climber({ advance: (state) => state }))
+  before.seek(0)
+  before.seek(60)
+  assert.equal(before.hash(), alone.hash())
+  const still = new Session(setup)
+  still.step(60)
+  assert.equal(still.outcome().evaluations, 1)
+  before.free()
+  alone.free()
+  reset()
+  const after = new Session(setup)
+  after.step(60)
+  assert.equal(after.outcome().evaluations, 1)
+})
+
+test('a cost where the function has none is not believed', async () => {
+  await register(climber({ name: 'believer', start: () => ({ position: [0, 0], cost: 1, tried: 0 }) }))
+  const scene = { dimension: 2, bounds: { min: -1, max: 1 }, objective: ([x]) => (x === 0 ? Number.NaN : x) }
+  assert.throws(() => new Session({ planner: 'believer', scene }), /is said to be 1; it is NaN/)
 })
 
 test('code that throws ends the run with its words', async () => {

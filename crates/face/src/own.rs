@@ -57,6 +57,7 @@ pub fn lent_list(what: u32, numbers: &[f64]) -> Result<f64, JsValue> {
 }
 
 thread_local! {
+    /// Planners that were given, and the functions that their code is called by.
     static SCRIPTS: RefCell<Vec<(&'static Entry, JsValue)>> = const { RefCell::new(Vec::new()) };
     /// What is lent to the calls under way, the last one last; none while it is in use.
     static LENT: RefCell<Vec<Option<Tools>>> = const { RefCell::new(Vec::new()) };
@@ -70,13 +71,12 @@ fn register(description: &JsValue, host: &JsValue) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// The newest planner of a name counts.
+/// A run goes on with its code when another one of its planner's name has come: the entry says which one it is.
 fn start(start: &Start) -> Result<Started, Error> {
-    let at = SCRIPTS.with_borrow(|all| all.iter().rposition(|(entry, _)| entry.name == start.entry.name));
+    let at = SCRIPTS.with_borrow(|all| all.iter().position(|(entry, _)| std::ptr::eq(*entry, start.entry)));
     let Some(at) = at else { return Err(Error::unknown("planner", start.entry.name, [])) };
-    let entry = SCRIPTS.with_borrow(|all| all[at].0);
     let script: Arc<dyn Script> = Arc::new(FromScript { at });
-    script::begin(&script, entry, start)
+    script::begin(&script, start.entry, start)
 }
 
 /// Uses what is lent to the call under way. It is taken meanwhile: a function that is minimised may be code as well.

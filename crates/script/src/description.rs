@@ -1,4 +1,4 @@
-//! What a planner says of itself, read into an entry. Whoever hosts its code has checked it: the package's `describe` names the field
+//! What a planner says of itself, read into an entry. It was checked where its code is: the package's `describe` names the field
 //! that is wrong, and keeps the texts for people. Names live as long as the program: there are as many as planners that somebody brings.
 
 use serde_json::Value;
