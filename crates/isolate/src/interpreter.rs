@@ -159,8 +159,9 @@ impl Interpreter {
 
     /// Carries something out in so much time.
     fn within<T>(&self, limit: Duration, work: impl for<'js> FnOnce(&Ctx<'js>) -> Result<T>) -> std::result::Result<T, Message> {
-        *locked(&self.deadline) = Some(Instant::now() + limit);
-        let result = self.context.with(|ctx| work(&ctx).map_err(|error| fault(&ctx, error, limit)));
+        let end = Instant::now() + limit;
+        *locked(&self.deadline) = Some(end);
+        let result = self.context.with(|ctx| work(&ctx).map_err(|error| fault(&ctx, error, limit, Instant::now() > end)));
         *locked(&self.deadline) = None;
         result
     }
@@ -203,8 +204,9 @@ pub(crate) fn list(value: &Value) -> Option<Vec<f64>> {
     value.is_object().then(|| numbers(value))
 }
 
-/// What went wrong, in words, with the line of the code where it did.
-fn fault(ctx: &Ctx<'_>, error: rquickjs::Error, limit: Duration) -> Message {
+/// What went wrong, in words, with the line of the code where it did. `late`: it was stopped, whatever it says.
+fn fault(ctx: &Ctx<'_>, error: rquickjs::Error, limit: Duration, late: bool) -> Message {
+    let waits = matches!(error, rquickjs::Error::WouldBlock);
     let (name, text, stack) = match CaughtError::from_error(ctx, error) {
         CaughtError::Exception(exception) => {
             let name = exception.as_object().get::<_, String>("name").unwrap_or_else(|_| "Error".to_owned());
@@ -219,7 +221,14 @@ fn fault(ctx: &Ctx<'_>, error: rquickjs::Error, limit: Duration) -> Message {
     let line = stack.split_once(&format!("{FILE}:")).map(|(_, rest)| rest.chars().take_while(char::is_ascii_digit).collect::<String>());
     let at = line.map_or(Message::default(), |line| message!("isolate-line", "(line {line})", line));
     let said = match &*text {
-        "interrupted" => message!("isolate-time", "it took longer than {limit} ms and was stopped", limit = limit.as_millis() as f64),
+        // Without memory there is no object for an error.
+        "Null" if stack.is_empty() && !late => {
+            message!("isolate-null", "it throws null, or it needs more than {memory} MB", memory = MEMORY)
+        }
+        _ if waits && !late => message!("isolate-waits", "it awaits what never comes"),
+        text if late || text == "interrupted" => {
+            message!("isolate-time", "it took longer than {limit} ms and was stopped", limit = limit.as_millis() as f64)
+        }
         "out of memory" => message!("isolate-memory", "it needs more than {memory} MB", memory = MEMORY),
         "stack overflow" | "Maximum call stack size exceeded" => message!("isolate-deep", "its calls are nested too deeply"),
         _ if name == "Error" => Message::verbatim(text),
