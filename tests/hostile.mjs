@@ -203,6 +203,8 @@ export async function attack({ registerCode, Session }) {
     return hash
   }
   const before = harmless()
+  // The interpreter is fetched and compiled once: that is no part of what a code takes.
+  await registerCode(planner())
   /** Registers a code and runs it; gives the error, or how the run ended. */
   const tried = async (code) => {
     attacks += 1
