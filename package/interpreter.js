@@ -24,7 +24,7 @@ const LOOK = 300
 const LONGEST = 200_000
 /** Of an error's message, in characters. */
 const LONGEST_MESSAGE = 500
-/** How many lines are kept of what a code prints. */
+/** How many lines are kept of what a step prints. */
 const LINES = 200
 const FILE = 'planner.js'
 const SHAPES = ['points', 'polyline', 'segments']
@@ -147,6 +147,7 @@ class Isolate {
 
   within(limit, work) {
     this.deadline = performance.now() + limit
+    this.lines = 0
     try {
       return work()
     } catch (error) {

@@ -1,3 +1,4 @@
+import type { Session } from './forage.js'
 import type { Described } from './planner.js'
 
 /**
@@ -17,3 +18,6 @@ export function withCode(link: string, code: string): Promise<string>
 
 /** The code that a link carries; undefined where it has none. */
 export function codeIn(link: string): Promise<string | undefined>
+
+/** The state of the planner of a session, as plain data; undefined where it is a planner of the package. */
+export function stateOf(session: Session): unknown

@@ -20,8 +20,13 @@ function again() {
 function held(host) {
   let states = 0
   let replaced = false
+  let seen
   const shell = {
     ...host,
+    digest(id) {
+      seen = id
+      return host.digest(id)
+    },
     start(...given) {
       const id = host.start(...given)
       states += 1
@@ -44,18 +49,26 @@ function held(host) {
     replaced = true
     letGo()
   }
-  return { host: shell, replace }
+  return { host: shell, replace, state: () => host.state(seen) }
 }
 
 /** Adds a planner to those that are known. `given`: who calls its code; `described`: what it says of itself. */
 export function add(described, given) {
   if (holdersOf('planner', described.name)) throw refused('name', described.name, 'a name that no planner of the package has')
-  const { host, replace } = held(given)
+  const { host, replace, state } = held(given)
   registerPlanner(described, host)
   if (known.size === 0) afterReset(again)
   known.get(described.name)?.replace()
-  known.set(described.name, { described, host, replace })
+  known.set(described.name, { described, host, replace, state })
   return described
+}
+
+/** The state of a session's planner, if somebody wrote that planner. */
+export function stateOf(session) {
+  const own = known.get(session.planner)
+  // What is asked for its hash is the present state.
+  if (own) session.hash()
+  return own?.state()
 }
 
 /** Adds a planner whose code runs in this thread. `load` loads the part of the module that runs such planners. */

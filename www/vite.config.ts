@@ -3,6 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
+import { contract } from './plugins/contract.ts'
 import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
 import { lessons } from './plugins/lessons.ts'
@@ -34,6 +35,7 @@ export default defineConfig({
     lessons(`${root}/lessons`, `${root}/REPRODUCTION.claims.json`),
     recordings(core),
     reproduction(root),
+    contract(`${core}/planner.d.ts`),
     policy(),
     installable(
       fileURLToPath(new URL('src/hosts/page/service-worker.ts', import.meta.url)),

@@ -1,4 +1,5 @@
 /* What crosses between the host of a run and the client that shows it. */
+import type { RunSetup } from '../catalogue/own'
 import type { Files } from './host'
 import type {
   Finding,
@@ -14,7 +15,6 @@ import type {
   Stage,
   Status,
   TrialCurve,
-  UncheckedSetup,
 } from 'forage-lab'
 import type { Frame, Viewport } from '../render/frame'
 
@@ -23,6 +23,11 @@ export interface Refusal {
   message: string
   /** E.g. `population`, `discs[2].radius`; empty where no field is to blame. */
   field: string
+  /** Where a planner's code is wrong, from 1. */
+  line?: number
+  column?: number
+  /** Why code was stopped. */
+  stopped?: 'time' | 'memory'
   /** The core refused nothing: a part of it could not be loaded. */
   unloaded?: boolean
 }
@@ -37,7 +42,7 @@ export type Speed = number
 
 /** A run that is wanted, and where it begins. */
 export interface Start {
-  setup: UncheckedSetup
+  setup: RunSetup
   at: number
   play: boolean
   /** It is said that the setup is accepted before the run begins, which may take long. */
@@ -133,6 +138,13 @@ export interface TraceRows {
   columns: string[]
   iterations: Float64Array
   rows: Float64Array
+}
+
+/** What a planner printed. */
+export interface Line {
+  /** −1: while its code was read. */
+  iteration: number
+  text: string
 }
 
 /** How far a run has come at its furthest. */

@@ -1,4 +1,5 @@
-import type { Item, TrialRecord, UncheckedSetup } from 'forage-lab'
+import type { RunSetup } from '../catalogue/own'
+import type { Item, TrialRecord } from 'forage-lab'
 import { pool } from './pool'
 import type { Report } from './protocol'
 import { RunClient } from './run-client'
@@ -31,13 +32,13 @@ export class SideRun {
   })
 
   /** A run at an iteration, or where it ended before. Fails with what the setup is refused for. */
-  at(setup: UncheckedSetup, iteration: number, item: Item | null): Promise<Look> {
+  at(setup: RunSetup, iteration: number, item: Item | null): Promise<Look> {
     const asked = this.queue.then(() => this.look(setup, iteration, item))
     this.queue = asked.catch(() => undefined)
     return asked
   }
 
-  private async look(setup: UncheckedSetup, at: number, item: Item | null): Promise<Look> {
+  private async look(setup: RunSetup, at: number, item: Item | null): Promise<Look> {
     const report = await this.goTo(setup, at)
     if (!item) return { ...report, inspection: null }
     const answer = await this.client.api.inspect(item)
@@ -45,7 +46,7 @@ export class SideRun {
     return { ...report, inspection: answer.value }
   }
 
-  private goTo(setup: UncheckedSetup, at: number): Promise<Report> {
+  private goTo(setup: RunSetup, at: number): Promise<Report> {
     return new Promise((resolve, reject) => {
       if (!this.opened) void this.client.open()
       this.opened = true
@@ -75,7 +76,7 @@ export class SideRun {
   }
 
   /** Whole runs with the seeds 1, 2, 3, …; with `evaluations` none goes on beyond those. */
-  trials(setup: UncheckedSetup, seeds: number, evaluations: number | null): Promise<TrialRecord[]> {
+  trials(setup: RunSetup, seeds: number, evaluations: number | null): Promise<TrialRecord[]> {
     const runs = Array.from({ length: seeds }, async (_, at): Promise<TrialRecord> => {
       const errand: Errand = { key: '', seed: at + 1, setup: { ...setup, seed: at + 1 }, maps: null, budget: evaluations }
       const ending = await pool().run<Ending>((api) => api.run(errand), { signal: this.stopped.signal })

@@ -1,5 +1,6 @@
 /* What crosses between a batch and the threads that carry out its runs. */
-import type { Bands, Comparison, Friedman, ParameterValue, Reached, Scene, TrialCurve, TrialRecord, UncheckedSetup } from 'forage-lab'
+import type { RunSetup } from '../catalogue/own'
+import type { Bands, Comparison, Friedman, ParameterValue, Reached, Scene, TrialCurve, TrialRecord } from 'forage-lab'
 import type { Refusal } from './protocol'
 
 export type Values = Readonly<Record<string, ParameterValue>>
@@ -25,7 +26,7 @@ export interface Errand {
   /** Which runs it is compared with: see `keyOf`. */
   key: string
   seed: number
-  setup: UncheckedSetup
+  setup: RunSetup
   /** Where the seed's scene comes from, instead of the setup's. */
   maps: Maps | null
   /** It ends with the step that brings it to so many evaluations, if not before. */

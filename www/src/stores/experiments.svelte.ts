@@ -1,4 +1,5 @@
-import type { Scene, UncheckedSetup } from 'forage-lab'
+import type { RunSetup } from '../catalogue/own'
+import type { Scene } from 'forage-lab'
 import type { Flat } from '../render/view'
 import { sameScene } from '../scene/equality'
 import { type History, historyOf } from './curve'
@@ -16,7 +17,7 @@ export interface Ghost {
 
 /** A run that was looked at, and where it stood. */
 export interface Experiment {
-  setup: UncheckedSetup
+  setup: RunSetup
   iteration: number
   ghost: Ghost | null
 }
@@ -24,8 +25,9 @@ export interface Experiment {
 /** More of them nobody goes back. */
 const DEPTH = 50
 
-const same = (a: UncheckedSetup, b: UncheckedSetup): boolean =>
+const same = (a: RunSetup, b: RunSetup): boolean =>
   a.planner === b.planner &&
+  a.code === b.code &&
   a.seed === b.seed &&
   JSON.stringify(a.params) === JSON.stringify(b.params) &&
   typeof a.scene === 'object' &&
@@ -39,10 +41,9 @@ export class ExperimentsStore {
   /** What the present run is compared with: it was left for this one. */
   shown = $state.raw<Experiment | null>(null)
   /** What is wanted now. */
-  private current: UncheckedSetup | null = null
+  private current: RunSetup | null = null
   /** How it was before the newest change. */
-  private before: { setup: UncheckedSetup; past: readonly Experiment[]; future: readonly Experiment[]; shown: Experiment | null } | null =
-    null
+  private before: { setup: RunSetup; past: readonly Experiment[]; future: readonly Experiment[]; shown: Experiment | null } | null = null
 
   readonly canUndo = $derived(this.past.length > 0)
   readonly canRedo = $derived(this.future.length > 0)
@@ -53,7 +54,7 @@ export class ExperimentsStore {
   ) {}
 
   /** A run is wanted. */
-  want(setup: UncheckedSetup): void {
+  want(setup: RunSetup): void {
     this.current = setup
     if (!this.before || !same(setup, this.before.setup)) return
     // What was refused, or let go of, led nowhere.

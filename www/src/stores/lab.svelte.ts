@@ -19,6 +19,7 @@ import { RunStore } from './run.svelte'
 import { SceneStore } from './scene.svelte'
 import { SelectionStore } from './selection.svelte'
 import { SetupStore } from './setup.svelte'
+import { type Offer, OwnStore } from './own.svelte'
 import { Starts } from './starts'
 import type { Subject } from './subjects'
 import { stillness, type Theme } from './theme.svelte'
@@ -57,7 +58,7 @@ export class Lab {
     onreplaced: () => this.leaveThread('loading'),
   })
   /** For questions to the run. */
-  readonly api = questionsTo(this.client)
+  readonly api = questionsTo(this.client, (link) => this.own.codeFor(link))
   private readonly requests = new Requests<Subject>()
   private readonly awaited = new Awaited()
   readonly notices = new NoticesStore()
@@ -71,6 +72,8 @@ export class Lab {
     again: (where, since) => this.starts.again(where, since),
     restart: (opening) => this.starts.begin(opening),
   })
+  /** Planners that somebody wrote. */
+  readonly own: OwnStore = new OwnStore(this.api, this.setup)
   readonly run = new RunStore(
     this.client,
     this.scene,
@@ -126,6 +129,24 @@ export class Lab {
     if (!this.client.desired.start) await this.openFirst()
   }
 
+  /** Runs a code that was offered: as its link says, or where the run is. */
+  runOffer = async (offer: Offer): Promise<void> => {
+    this.own.accept(offer)
+    if (offer.link !== null) {
+      await this.openLink(offer.link)
+      return
+    }
+    const read = await this.own.read(offer.code)
+    if (read.ok) this.setup.runOwn(read.value)
+    else this.notices.warn(read.refusal, read.refusal.message, () => this.runOffer(offer))
+  }
+
+  /** An offered code does not run. There is always a run to look at. */
+  leaveOffer = (): void => {
+    this.own.offer = null
+    if (!this.client.desired.start) this.startStandard()
+  }
+
   /** Ends it: nothing is computed any more. */
   close(): void {
     this.followers.stop()
@@ -134,9 +155,13 @@ export class Lab {
 
   /** The run of the address, or the one that is shown where nothing else is asked for. */
   private async openFirst(): Promise<void> {
-    const { first, watched } = this.address
+    const { first } = this.address
     const opened = first !== null && (await this.starts.openLink(first))
-    if (!opened) this.starts.restart({ at: 0, play: watched && !stillness.matches })
+    if (!opened) this.startStandard()
+  }
+
+  private startStandard(): void {
+    this.starts.restart({ at: 0, play: this.address.watched && !stillness.matches })
   }
 
   // What the thread says

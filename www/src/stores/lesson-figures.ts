@@ -1,16 +1,17 @@
-import type { Item, TrialRecord, UncheckedSetup } from 'forage-lab'
+import type { RunSetup } from '../catalogue/own'
+import type { Item, TrialRecord } from 'forage-lab'
 import type { Figure, Lesson } from '../lessons/format'
 import { median } from '../lessons/score'
 import { changed, NO_RUN } from '../lessons/runs'
 import { numberOf, type Oracle, setupWith } from './lesson-truth'
 
 /** What runs at each step of a lesson. */
-export function setupsOf({ steps }: Pick<Lesson, 'steps'>): Map<string, UncheckedSetup> {
+export function setupsOf({ steps }: Pick<Lesson, 'steps'>): Map<string, RunSetup> {
   let run = NO_RUN
   return new Map(
     steps.map((step) => {
       run = changed(run, step.run)
-      return [step.name, run as UncheckedSetup]
+      return [step.name, run as RunSetup]
     }),
   )
 }

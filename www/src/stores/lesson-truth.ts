@@ -1,4 +1,5 @@
-import type { Inspection, Item, Point, TrialRecord, UncheckedSetup } from 'forage-lab'
+import type { RunSetup } from '../catalogue/own'
+import type { Inspection, Item, Point, TrialRecord } from 'forage-lab'
 import { median, optionAt, pointOf } from '../lessons/score'
 import type { Question, QuestionOf, RunPart } from '../lessons/format'
 import { changed, type WholeRun } from '../lessons/runs'
@@ -7,14 +8,14 @@ import { changed, type WholeRun } from '../lessons/runs'
 export interface Oracle {
   /** A run at an iteration, with the explanation of an item. */
   at(
-    setup: UncheckedSetup,
+    setup: RunSetup,
     iteration: number,
     item: Item | null,
   ): Promise<{ inspection: Inspection | null; readings: Readonly<Record<string, number>>; outcome: object | null; evaluations: number }>
   /** The nearest piece in the run that was asked for last. */
   pick(x: number, y: number, reach: number): Promise<Item | null>
   /** Whole runs with the seeds 1, 2, 3, … */
-  trials(setup: UncheckedSetup, seeds: number, evaluations: number | null): Promise<TrialRecord[]>
+  trials(setup: RunSetup, seeds: number, evaluations: number | null): Promise<TrialRecord[]>
 }
 
 /** What came out, as the core has it. */
@@ -38,7 +39,7 @@ export class NoTruth extends Error {
 }
 
 /** Finds what the answer to a question is. `at`: the iteration that is shown while it is asked. */
-export async function truthOf(question: Question, setup: UncheckedSetup, at: number, oracle: Oracle): Promise<Truth> {
+export async function truthOf(question: Question, setup: RunSetup, at: number, oracle: Oracle): Promise<Truth> {
   switch (question.kind) {
     case 'arrow':
       return ofArrow(await explained(question, setup, at + 1, oracle))
@@ -59,7 +60,7 @@ export async function truthOf(question: Question, setup: UncheckedSetup, at: num
 
 async function explained(
   { item }: { item: { role: string; index: number } },
-  setup: UncheckedSetup,
+  setup: RunSetup,
   at: number,
   oracle: Oracle,
 ): Promise<Inspection> {
@@ -104,7 +105,7 @@ async function ofNode(inspection: Inspection, oracle: Oracle): Promise<Truth> {
 /** Of more nobody is asked to choose one. */
 const MOST_MEMBERS = 100
 
-async function ofMember({ role, of }: QuestionOf<'member'>, setup: UncheckedSetup, at: number, oracle: Oracle): Promise<Truth> {
+async function ofMember({ role, of }: QuestionOf<'member'>, setup: RunSetup, at: number, oracle: Oracle): Promise<Truth> {
   const all: Inspection[] = []
   for (let index = 0; index < MOST_MEMBERS; index += 1) {
     const { inspection } = await oracle.at(setup, at, { role, index } as Item)
@@ -126,7 +127,7 @@ function ofItem({ of, options }: QuestionOf<'item'>, inspection: Inspection): Tr
   return { kind: 'item', inspection, option, value }
 }
 
-async function ofRun({ of, at, seeds, options }: QuestionOf<'run'>, setup: UncheckedSetup, oracle: Oracle): Promise<Truth> {
+async function ofRun({ of, at, seeds, options }: QuestionOf<'run'>, setup: RunSetup, oracle: Oracle): Promise<Truth> {
   const values: number[] = []
   if (seeds !== undefined) {
     for (const record of await oracle.trials(setup, seeds, null)) values.push(numberOf(record, of))
@@ -145,7 +146,7 @@ async function ofRun({ of, at, seeds, options }: QuestionOf<'run'>, setup: Unche
   }
 }
 
-async function compared({ of, options, seeds, evaluations }: QuestionOf<'compare'>, setup: UncheckedSetup, oracle: Oracle): Promise<Truth> {
+async function compared({ of, options, seeds, evaluations }: QuestionOf<'compare'>, setup: RunSetup, oracle: Oracle): Promise<Truth> {
   const all = await Promise.all(
     options.map(async ({ run }) =>
       (await oracle.trials(setupWith(setup, run), seeds, evaluations ?? null)).map((record) => numberOf(record, of)),
@@ -171,5 +172,5 @@ export function numberOf(result: object, of: string): number {
 }
 
 /** A setup with what a part says otherwise. */
-export const setupWith = ({ params = {}, seed = 0, ...setup }: UncheckedSetup, part: RunPart): UncheckedSetup =>
-  changed({ ...setup, params, seed } as WholeRun, part) as UncheckedSetup
+export const setupWith = ({ params = {}, seed = 0, ...setup }: RunSetup, part: RunPart): RunSetup =>
+  changed({ ...setup, params, seed } as WholeRun, part) as RunSetup

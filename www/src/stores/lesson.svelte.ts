@@ -1,5 +1,6 @@
+import type { RunSetup } from '../catalogue/own'
 import { untrack } from 'svelte'
-import type { Item, LinkSetup, Point, UncheckedSetup } from 'forage-lab'
+import type { Item, LinkSetup, Point } from 'forage-lab'
 import { SideRun } from '../engine/side-run'
 import type { Lesson, Question, Step } from '../lessons/format'
 import { checkNames } from '../lessons/names'
@@ -72,15 +73,15 @@ export class LessonStore {
   private failures = $state.raw<Readonly<Record<string, string>>>({})
   private answers = $state.raw<Readonly<Record<string, Guess>>>({})
   /** What runs at each step. */
-  private setups: UncheckedSetup[] = []
+  private setups: RunSetup[] = []
   private side: SideRun | null = null
   /** What the newest step wants of the run. */
-  private own = $state.raw<UncheckedSetup | null>(null)
+  private own = $state.raw<RunSetup | null>(null)
   private wanted = $state(0)
   /** The run is on its way to where the step wants it. */
   private travelling = $state(false)
   private request = 0
-  private shown: UncheckedSetup | null = null
+  private shown: RunSetup | null = null
 
   readonly step = $derived.by<Step | null>(() => this.lesson?.steps[this.index] ?? null)
   readonly steps = $derived(this.lesson?.steps ?? [])
@@ -112,7 +113,7 @@ export class LessonStore {
     this.lesson = lesson
     this.source = source
     // What runs at several steps is one run.
-    const known = new Map<string, UncheckedSetup>()
+    const known = new Map<string, RunSetup>()
     this.setups = [...setupsOf(lesson).values()].map((setup) => {
       const text = JSON.stringify(setup)
       if (!known.has(text)) known.set(text, setup)
@@ -217,7 +218,7 @@ export class LessonStore {
   }
 
   /** A scene that ships has its name. */
-  private sceneOf = (scene: UncheckedSetup['scene']): unknown =>
+  private sceneOf = (scene: RunSetup['scene']): unknown =>
     typeof scene === 'string' ? this.lab.setup.catalogue?.scenes.find(({ name }) => name === scene) : scene
 
   /** What the stage shows of the plane: where it was looked at closer before, all of it again. */

@@ -1,5 +1,5 @@
+import type { RunSetup } from '../catalogue/own'
 import { BookmarksStore } from './bookmarks.svelte'
-import type { UncheckedSetup } from 'forage-lab'
 import { stageAt } from '../catalogue/stages'
 import type { Opening, Progress, Report, Target } from '../engine/protocol'
 import type { Requests } from '../engine/requests'
@@ -41,7 +41,7 @@ export class PlaybackStore {
   ) {}
 
   /** Starts a run; `check`: something of its setup waits for being accepted. Returns the number of this change. A seek, play or pause that was requested after request number `since` holds for it. */
-  start(setup: UncheckedSetup, check: boolean, { at, play }: Opening, since = this.requests.note('setup')): number {
+  start(setup: RunSetup, check: boolean, { at, play }: Opening, since = this.requests.note('setup')): number {
     this.requested = {
       at: this.requests.replaced(since, 'iteration') ? this.requested.at : at,
       play: this.requests.replaced(since, 'playing') ? this.requested.play : play,

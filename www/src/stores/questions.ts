@@ -17,13 +17,15 @@ export const worded = (refusal: Refusal): Refusal =>
   refusal.unloaded ? { ...refusal, message: en.notices.unloaded(refusal.message) } : refusal
 
 /** For questions to the run. A refusal says in the page's words that a part could not be loaded. */
-export const questionsTo = (client: RunClient): Questions =>
+export const questionsTo = (client: RunClient, codeFor: (link: string) => string | undefined): Questions =>
   new Proxy({} as Questions, {
     get:
       (_, name: string) =>
       async (...given: unknown[]) => {
         const questions = client.api as unknown as Record<string, (...given: unknown[]) => Promise<unknown>>
-        const answer = await questions[name]?.(...given)
+        // What a link names may be a planner that somebody wrote here.
+        const all = name === 'parseLink' ? [given[0], codeFor(given[0] as string)] : given
+        const answer = await questions[name]?.(...all)
         return isUnloaded(answer) ? { ...answer, refusal: worded(answer.refusal) } : answer
       },
   })

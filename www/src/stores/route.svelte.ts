@@ -1,7 +1,7 @@
 import { shortened } from './large-links'
 
-/** The rooms: where a newcomer begins, one run, several compared, what was published. */
-export const VIEWS = ['learn', 'lab', 'compare', 'papers'] as const
+/** The rooms: where a newcomer begins, one run, several compared, what was published, where planners are written. */
+export const VIEWS = ['learn', 'lab', 'compare', 'workshop', 'papers'] as const
 export type View = (typeof VIEWS)[number]
 
 /** Older addresses, and what they were of in today's words. */
@@ -58,7 +58,7 @@ class Route {
 
   /** The run is what is looked at. */
   get watched(): boolean {
-    return this.view === 'lab' || this.view === 'learn'
+    return this.view === 'lab' || this.view === 'learn' || this.view === 'workshop'
   }
 
   /** The address of what is shown, as it is now. */

@@ -1,4 +1,5 @@
-import type { Catalogue, LinkSetup, ParameterValue, Planner, Scene, UncheckedSetup, When } from 'forage-lab'
+import { codeOf, type OwnPlanner, type RunSetup } from '../catalogue/own'
+import type { Catalogue, LinkSetup, ParameterValue, Planner, Scene, When } from 'forage-lab'
 import { meaningful, met } from '../catalogue/parameters'
 import { STANDARD, type Standard } from '../catalogue/standard'
 import type { Questions } from '../engine/host/questions'
@@ -77,19 +78,18 @@ export class SetupStore {
   }
 
   /** As the engine takes it, on this scene. */
-  wanted(scene: Scene): UncheckedSetup {
+  wanted(scene: Scene): RunSetup {
     const params = this.planner ? meaningful(this.planner, scene, this.parameters.wanted) : {}
-    return { planner: this.plannerName, scene, params, seed: this.seed }
+    return { planner: this.plannerName, ...codeOf(this.planner), scene, params, seed: this.seed }
   }
 
   /** Whether what is chosen is not this. */
-  differsFrom(present: UncheckedSetup | undefined): boolean {
+  differsFrom(present: RunSetup | undefined): boolean {
     const scene = this.scene.present
     if (!scene || !present) return true
-    const { planner, seed, params } = this.wanted(scene)
-    return (
-      present.scene !== scene || JSON.stringify([planner, seed, params]) !== JSON.stringify([present.planner, present.seed, present.params])
-    )
+    const { planner, code, seed, params } = this.wanted(scene)
+    const all = [present.planner, present.code, present.seed, present.params]
+    return present.scene !== scene || JSON.stringify([planner, code, seed, params]) !== JSON.stringify(all)
   }
 
   /** Whether a condition on the parameters is met. */
@@ -115,11 +115,29 @@ export class SetupStore {
     if (this.tuner?.planner === name) this.parameters.replace(this.tuner.params)
     this.tuner = null
     this.plannerName = name
-    // Where it doesn't run, it brings a scene of its own.
-    const { present } = this.scene
-    const other = present && !suits(planner, present) && this.catalogue?.scenes.find((scene) => suits(planner, scene))
-    if (other) this.scene.put(other)
+    this.bringScene(planner)
     this.start.again('begin')
+  }
+
+  /** Where a planner doesn't run, it brings a scene of its own. */
+  private bringScene(planner: Planner, best: (scene: Scene) => boolean = () => true): boolean {
+    const { present } = this.scene
+    if (!present || suits(planner, present)) return false
+    const all = this.catalogue?.scenes.filter((scene) => suits(planner, scene)) ?? []
+    const other = all.find(best) ?? all[0]
+    if (other) this.scene.put(other)
+    return other !== undefined
+  }
+
+  /** Runs a planner that somebody wrote. Another code of the same planner goes on where the run is. */
+  runOwn = (planner: OwnPlanner): void => {
+    const same = planner.name === this.plannerName
+    this.notices.text = ''
+    this.parameters.errors = {}
+    this.plannerName = planner.name
+    // Of a function of two variables all is seen.
+    const moved = this.bringScene(planner, (scene) => scene.kind !== 'function' || scene.dimension === 2)
+    this.start.again(same && !moved ? 'here' : 'begin')
   }
 
   openScene = (scene: Scene): void => {

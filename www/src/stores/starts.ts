@@ -13,6 +13,7 @@ import { isShortened, restored } from './large-links'
 import type { ColumnStore } from './column.svelte'
 import type { ExperimentsStore } from './experiments.svelte'
 import { type PageKeys, readPageKeys } from './page-keys'
+import type { OwnStore } from './own.svelte'
 import type { ParametersStore } from './parameters.svelte'
 import type { PictureStore } from './picture.svelte'
 import type { PlaybackStore } from './playback.svelte'
@@ -31,6 +32,7 @@ interface Stores {
   readonly followers: Followers
   readonly layers: LayersStore
   readonly notices: NoticesStore
+  readonly own: OwnStore
   readonly parameters: ParametersStore
   readonly picture: PictureStore
   readonly playback: PlaybackStore
@@ -59,8 +61,15 @@ export class Starts {
     let opened = true
     this.opening += 1
     const read = this.awaited.add(
-      async () => this.stores.api.parseLink(isShortened(link) ? await restored(link) : link),
+      async () => {
+        const admitted = await this.stores.own.admits(link)
+        if (!admitted.ok) return admitted
+        if (!admitted.value) return null
+        return this.stores.api.parseLink(isShortened(link) ? await restored(link) : link)
+      },
       (answer) => {
+        // A code is to be seen first.
+        if (answer === null) return
         opened = answer.ok
         if (!answer.ok) this.stores.notices.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))
         else if (!this.requests.replaced(request, 'setup')) {
@@ -126,7 +135,8 @@ export class Starts {
   travel(by: 'undo' | 'redo'): void {
     const found = this.stores.experiments.travel(by)
     if (!found || typeof found.setup.scene !== 'object') return
-    const { planner, params = {}, seed = 0, scene } = found.setup
+    const { planner, code, params = {}, seed = 0, scene } = found.setup
+    this.stores.own.take(code)
     this.stores.setup.take({ planner, scene, params: params as LinkSetup['params'], seed } as LinkSetup)
     this.promised = undefined
     this.restart({ at: found.iteration, play: false })

@@ -1,4 +1,5 @@
-import type { UncheckedSetup, Suggestion } from 'forage-lab'
+import type { RunSetup } from '../catalogue/own'
+import type { Suggestion } from 'forage-lab'
 import type { Questions } from '../engine/host/questions'
 
 /** The sizes that the planner's paper recommends for a setup. */
@@ -7,7 +8,7 @@ export class Suggested {
   private asked = ''
 
   /** It hangs on the planner, the kind of scene and the parameters; cells that are painted don't change it. */
-  async ask(api: Questions, setup: UncheckedSetup, kind: string | undefined): Promise<void> {
+  async ask(api: Questions, setup: RunSetup, kind: string | undefined): Promise<void> {
     const key = JSON.stringify([setup.planner, kind, setup.params])
     if (key === this.asked) return
     this.asked = key

@@ -1,3 +1,4 @@
+import type { RunSetup } from '../../catalogue/own'
 import { armSolutions, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage-lab/core'
 import type {
   ArmSolutions,
@@ -12,19 +13,20 @@ import type {
   Motion,
   NamedFile,
   Outcome,
+  Planner,
   ParameterValue,
   PlannerName,
   Point3,
   Scene,
-  Setup,
   Suggestion,
-  UncheckedSetup,
 } from 'forage-lab'
 import type { FieldRequest, HeightMap } from '../../render/frame'
-import type { Answer } from '../protocol'
-import { answer, silently } from './answers'
+import type { Answer, Line } from '../protocol'
+import { answer, silently, within } from './answers'
 import { breathe } from './pace'
+import type { States } from './own'
 import type { RunHost } from './run-host'
+import { known } from './setups'
 
 type Values = Record<string, ParameterValue>
 
@@ -61,7 +63,27 @@ export function questionsTo(host: RunHost) {
     /** The vertices of a layer of the frame, piece by piece. */
     pieces: (layer: number): Promise<Answer<Followed<Float32Array[]>>> => follow((session) => piecesOf(session.frame(host.budget), layer)),
     outcome: (): Promise<Answer<Outcome>> => ofRun((session) => session.outcome()),
-    link: (): Promise<Answer<string>> => ofRun((session) => session.link()),
+    async link(): Promise<Answer<string>> {
+      const link = await ofRun((session) => host.linkOf(session))
+      return link.ok ? link.value : link
+    },
+    /** What a planner is whose code this is. */
+    async read(code: string): Promise<Answer<Planner>> {
+      const own = await import('./own')
+      return within(async () => (await own.bring(code)).described)
+    },
+    /** The code in a link; null where it has none. */
+    async codeIn(link: string): Promise<Answer<string | null>> {
+      const own = await import('./own')
+      return within(async () => (await own.codeIn(link)) ?? null)
+    },
+    /** What the run's planner has printed. */
+    lines: async (): Promise<Line[]> => (host.session ? (await import('./own')).linesOf(host.session) : []),
+    /** The state of the run's planner now and one iteration before; null where nobody wrote it. */
+    async states(): Promise<Answer<States | null>> {
+      const own = await import('./own')
+      return ofRun(own.statesOf)
+    },
     csv: (): Promise<Answer<string>> => ofRun((session) => session.csv()),
     tourFile: (): Promise<Answer<NamedFile | null>> => ofRun((session) => session.tourFile()),
     /** The heights of the run's function. */
@@ -85,8 +107,15 @@ export function questionsTo(host: RunHost) {
     exportScene: (scene: Scene, format: Format): Promise<Answer<NamedFile[]>> => answer(() => exportScene(scene, format)),
     generateScene: (name: string, params: Values, seed: number): Promise<Answer<Scene>> =>
       answer(() => generateScene(name as GeneratorName, params, seed)),
-    suggest: (setup: UncheckedSetup): Promise<Answer<Suggestion | null>> => silently(() => suggest(setup as Setup)),
-    parseLink: (link: string): Promise<Answer<LinkSetup>> => answer(() => parseLink(link)),
+    async suggest(setup: RunSetup): Promise<Answer<Suggestion | null>> {
+      const plain = await known(setup)
+      return plain.ok ? silently(() => suggest(plain.value)) : plain
+    },
+    /** `code`: of the link's planner, if it is nobody else's. */
+    async parseLink(link: string, code?: string): Promise<Answer<LinkSetup>> {
+      const plain = await known({ planner: '', scene: '', code })
+      return plain.ok ? answer(() => parseLink(link)) : plain
+    },
     newSeed: async (): Promise<number> => newSeed(),
   }
 }

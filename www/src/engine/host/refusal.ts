@@ -10,5 +10,12 @@ export function causeOf(error: unknown): string {
 /** What the core refuses, as plain data. Undefined for other errors: the core's have a code, those of the network have none. */
 export function refusalOf(error: unknown): Refusal | undefined {
   if (error instanceof ModuleDead || !(error instanceof Error) || !('code' in error)) return undefined
-  return { message: error.message, field: 'field' in error && typeof error.field === 'string' ? error.field : '' }
+  const { field, line, column, stopped } = error as Partial<Refusal>
+  return {
+    message: error.message,
+    field: typeof field === 'string' ? field : '',
+    ...(typeof line === 'number' && { line }),
+    ...(typeof column === 'number' && { column }),
+    ...(stopped && { stopped }),
+  }
 }

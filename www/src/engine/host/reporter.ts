@@ -1,3 +1,4 @@
+import type { Carried } from './setups'
 import { type Session, shapes } from 'forage-lab/core'
 import type { RunEvent, TrialCurve } from 'forage-lab'
 import type { Desired, Picture, Report, Run, Span } from '../protocol'
@@ -35,6 +36,7 @@ export class Reporter {
     private readonly session: Session,
     private readonly buffers: Buffers,
     readonly run: Run,
+    private readonly carried: Carried,
   ) {
     this.fresh = run
     this.span = run.span
@@ -153,7 +155,11 @@ export class Reporter {
     if (settled && this.settled?.iteration === session.iteration) return this.settled.rare
     if (!settled && now - this.lastOutcome < Math.max(OUTCOME_INTERVAL, this.outcomeCost * OUTCOME_SHARE))
       return { outcome: null, link: null, hash: null }
-    const rare = { outcome: session.outcome(), link: links ? session.link() : null, hash: settled ? session.hash() : null }
+    const rare = {
+      outcome: session.outcome(),
+      link: links && this.carried.ok ? session.link() + this.carried.value : null,
+      hash: settled ? session.hash() : null,
+    }
     this.lastOutcome = performance.now()
     this.outcomeCost = this.lastOutcome - now
     this.settled = settled ? { rare, iteration: session.iteration } : null

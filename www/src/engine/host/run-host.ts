@@ -1,12 +1,14 @@
 import { armPose, Session, suggest } from 'forage-lab/core'
-import type { ArmScene, Finding, Job, Setup } from 'forage-lab'
-import { DEFAULTS, type Desired, type FromHost, type Run, type Start, type Target } from '../protocol'
+import type { ArmScene, Finding, Job } from 'forage-lab'
+import { type Answer, DEFAULTS, type Desired, type FromHost, type Run, type Start, type Target } from '../protocol'
 import { silently } from './answers'
 import { Buffers } from './buffers'
 import { spanOf } from './extent'
 import { breathe, SLICE, step } from './pace'
+import { stepping } from './printing'
 import { Places } from './places'
 import { Reporter } from './reporter'
+import { type Carried, carried, known } from './setups'
 import { words } from './rest'
 
 const FRAME_INTERVAL = 1000 / 60
@@ -26,6 +28,7 @@ interface Present {
   session: Session
   places: Places
   reporter: Reporter
+  carried: Carried
 }
 
 /**
@@ -81,6 +84,12 @@ export class RunHost {
   /** Vertices a layer of a frame may have. */
   get budget(): number {
     return this.desired.budget
+  }
+
+  /** The present run's link: refused where its code is too long for one. */
+  linkOf(session: Session): Answer<string> {
+    const { carried } = this.present ?? {}
+    return carried?.ok === false ? carried : { ok: true, value: session.link() + (carried?.value ?? '') }
   }
 
   /** The number of the present run. */
@@ -211,9 +220,12 @@ export class RunHost {
     const { start } = this.desired
     const version = this.versions.start
     if (!start) return
-    const accepted = start.check ? await silently(() => suggest(start.setup as Setup)) : null
+    const setup = await known(start.setup)
+    const accepted = setup.ok && start.check ? await silently(() => suggest(setup.value)) : null
     if (accepted?.ok) this.send({ is: 'accepted', version })
-    const made = accepted?.ok === false ? accepted : await silently(() => new Session(start.setup as Setup))
+    stepping(0)
+    const made = !setup.ok ? setup : accepted?.ok === false ? accepted : await silently(() => new Session(setup.value))
+    const link = await carried(start.setup)
     if (start !== this.desired.start) {
       // Another one is wanted meanwhile.
       if (made.ok) made.value.free()
@@ -226,7 +238,7 @@ export class RunHost {
       return
     }
     this.present?.session.free()
-    this.present = this.presented(start, made.value, version)
+    this.present = this.presented(start, made.value, version, link)
     this.rejected = null
     this.lookAt()
     if (this.versions.item < version) this.desired.item = null
@@ -234,7 +246,7 @@ export class RunHost {
     this.stale = this.news = true
   }
 
-  private presented(start: Start, session: Session, generation: number): Present {
+  private presented(start: Start, session: Session, generation: number, carried: Carried): Present {
     const { planner, scene, seed, limit, parameters, evaluations } = session
     const run: Run = {
       generation,
@@ -252,7 +264,8 @@ export class RunHost {
       start,
       session,
       places: new Places(session, this.desired.clock),
-      reporter: new Reporter(session, this.buffers, run),
+      reporter: new Reporter(session, this.buffers, run, carried),
+      carried,
     }
   }
 
@@ -331,6 +344,7 @@ export class RunHost {
     const { present, turn } = this
     if (!present) return false
     const { session, places } = present
+    stepping(session.iteration + 1)
     const tasks = session.partly ? [] : session.jobs()
     if (tasks.length > 0) {
       const found = await this.carriedOut(present, tasks)

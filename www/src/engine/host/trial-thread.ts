@@ -1,10 +1,12 @@
 import * as Comlink from 'comlink'
 import { armSlice, bands, carryOut, compare, generateScene, load, reachability, reached, ready, serveBy, suggest, Trial } from 'forage-lab'
-import type { Finding, GeneratorName, Reachability, Scene, Setup, UncheckedSetup } from 'forage-lab'
+import type { Finding, GeneratorName, Reachability, Scene, Setup } from 'forage-lab'
+import type { RunSetup } from '../../catalogue/own'
 import type { Files } from '../host'
 import { from } from './files'
 import { causeOf, refusalOf } from './refusal'
 import { breathe, SLICE } from './pace'
+import { carried, known } from './setups'
 import type { Answer, Refusal } from '../protocol'
 import type { Answered, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
 
@@ -77,12 +79,15 @@ const api = {
   /** Carries out a run to its end, or until `stop`. */
   async run({ setup, maps, seed, budget }: Errand): Promise<Ending> {
     stopped = false
+    const plain = await known(setup)
+    if (!plain.ok) return { is: 'refused', refusal: plain.refusal }
+    const code = await carried(setup)
     let trial: Trial
     try {
       await load('links')
       trial = await ready(() => {
-        const scene = maps ? generateScene(maps.generator as GeneratorName, { ...maps.params }, seed) : setup.scene
-        return new Trial({ ...setup, scene } as Setup, undefined)
+        const scene = maps ? generateScene(maps.generator as GeneratorName, { ...maps.params }, seed) : plain.value.scene
+        return new Trial({ ...plain.value, scene } as Setup, undefined)
       })
     } catch (error) {
       return { is: 'refused', refusal: refusedBy(error) }
@@ -90,7 +95,7 @@ const api = {
     try {
       if (stopped || !(await stepToEnd(trial, budget))) return { is: 'stopped' }
       const { evaluations, values } = trial.curve()
-      const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
+      const row: Row = { record: trial.record(), link: trial.link() + (code.ok ? code.value : ''), curve: { evaluations, values } }
       return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
     } catch (error) {
       throw broken(error)
@@ -113,10 +118,12 @@ const api = {
   },
 
   /** What a run spends: evaluations before its first step, steps without any, those of the first step with some, and the most steps. */
-  async spends(setup: UncheckedSetup): Promise<Answer<{ start: number; idle: number; step: number; limit: number }>> {
+  async spends(setup: RunSetup): Promise<Answer<{ start: number; idle: number; step: number; limit: number }>> {
+    const plain = await known(setup)
+    if (!plain.ok) return plain
     let trial: Trial
     try {
-      trial = await ready(() => new Trial(setup as Setup, undefined))
+      trial = await ready(() => new Trial(plain.value, undefined))
     } catch (error) {
       return { ok: false, refusal: refusedBy(error) }
     }
@@ -138,9 +145,11 @@ const api = {
   },
 
   /** What is wrong with a setup. */
-  async check(setup: UncheckedSetup): Promise<Refusal | null> {
+  async check(setup: RunSetup): Promise<Refusal | null> {
+    const plain = await known(setup)
+    if (!plain.ok) return plain.refusal
     try {
-      await ready(() => suggest(setup as Setup))
+      await ready(() => suggest(plain.value))
       return null
     } catch (error) {
       return refusedBy(error)

@@ -7,11 +7,12 @@ export const en = {
   regions: { bar: 'Document', transport: 'Time', panels: 'Panels', result: 'Result' },
   views: {
     label: 'Views',
-    titles: { learn: 'Learn', lab: 'Lab', compare: 'Compare', papers: 'Papers' },
+    titles: { learn: 'Learn', lab: 'Lab', compare: 'Compare', workshop: 'Workshop', papers: 'Papers' },
     help: {
       learn: 'What this is, and where to begin',
       lab: 'One run, step by step',
       compare: 'Planners side by side, or with many seeds as statistics',
+      workshop: 'Write a planner of your own',
       papers: 'What was published, and what comes out here',
     },
   },

@@ -16,7 +16,7 @@ async function linkOfLesson(lab: Lab): Promise<string | null> {
 
 /** Copies the link of what is shown; false where it is too large to be one. */
 export async function copyLink(lab: Lab): Promise<boolean> {
-  const link = route.view === 'lab' ? await linkOfRun(lab) : ((await linkOfLesson(lab)) ?? route.href)
+  const link = route.view === 'lab' || route.view === 'workshop' ? await linkOfRun(lab) : ((await linkOfLesson(lab)) ?? route.href)
   if (link.length > LARGEST || isShortened(link)) return false
   await navigator.clipboard.writeText(link)
   return true

@@ -1,4 +1,5 @@
 import type { Generator, ParameterValue, Planner, Scene } from 'forage-lab'
+import { codeOf } from '../../../catalogue/own'
 import { applies, standardOn } from '../../../catalogue/parameters'
 import { compare as text } from '../../../locales/en/compare'
 import { canRun } from '../../../catalogue/suitability'
@@ -96,7 +97,7 @@ export function paramsOf(
 
 /** Runs with the same key and seed are the same run, whatever plan they belong to. `evaluations`: with which they are stopped. */
 export const keyOf = (planner: Planner, params: Values, { scene, maps }: Plan, evaluations: number | null): string =>
-  JSON.stringify([planner.name, maps ?? numberOf(scene), params, evaluations])
+  JSON.stringify([planner.name, codeOf(planner).code, maps ?? numberOf(scene), params, evaluations])
 
 export const shortTitle = ({ title }: Planner): string => title.split(':')[0] ?? title
 

@@ -1,4 +1,5 @@
-import type { Catalogue, Planner, Scene, UncheckedSetup } from 'forage-lab'
+import { codeOf, type RunSetup } from '../../../catalogue/own'
+import type { Catalogue, Planner, Scene } from 'forage-lab'
 import { compare as text } from '../../../locales/en/compare'
 import type { Maps, Values } from '../../../engine/trial.protocol'
 import { allOf, type Entrant, groundOf, iterationsFor, keyOf, labels, paramsOf, type Plan, planFor, runnerOf, type Spending } from './plan'
@@ -26,7 +27,7 @@ export interface Standing {
 /** Whose spending is asked for. */
 export interface Asked {
   key: string
-  setup: UncheckedSetup
+  setup: RunSetup
 }
 
 interface Known {
@@ -44,7 +45,10 @@ interface Given {
 function askedFor(entrant: Entrant, all: Plan, planner: Planner): Asked {
   const plan = planFor(entrant, all)
   const params = paramsOf(planner, entrant, plan, null)
-  return { key: keyOf(planner, params, plan, null), setup: { planner: planner.name, scene: plan.scene, params, seed: plan.from } }
+  return {
+    key: keyOf(planner, params, plan, null),
+    setup: { planner: planner.name, ...codeOf(planner), scene: plan.scene, params, seed: plan.from },
+  }
 }
 
 /** Evaluations at which runs of a plan are stopped; null: nowhere; undefined: it is not known yet. */

@@ -1,5 +1,6 @@
 import type { Scene } from 'forage-lab'
 import { batch as text } from '../../../locales/en/batch'
+import { codeOf } from '../../../catalogue/own'
 import { perLab } from '../../../stores/context.svelte'
 import type { Lab } from '../../../stores/lab.svelte'
 import type { Ending, Errand, Row } from '../../../engine/trial.protocol'
@@ -115,7 +116,7 @@ export class Batch {
       if (!planner || !scene || key === undefined || this.rows.of(key)?.has(seed) || this.begun.has(id)) continue
       this.begun.add(id)
       this.names.set(key, this.nameOf(key))
-      const setup = { planner: planner.name, scene, params: params ?? {}, seed }
+      const setup = { planner: planner.name, ...codeOf(planner), scene, params: params ?? {}, seed }
       return { key, seed, setup, maps: maps ?? null, budget: allowance }
     }
     return null

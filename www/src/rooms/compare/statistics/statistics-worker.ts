@@ -1,4 +1,4 @@
-import type { UncheckedSetup } from 'forage-lab'
+import type { RunSetup } from '../../../catalogue/own'
 import type { Refusal } from '../../../engine/protocol'
 import type { Answered, Made, Maps, Question, Row, Values } from '../../../engine/trial.protocol'
 import { type Task, Thread } from '../../../engine/pool'
@@ -21,7 +21,7 @@ export class StatisticsWorker {
   private thread: Thread | undefined
   private told = new WeakSet<Row>()
 
-  check(setup: UncheckedSetup): Promise<Refusal | null> {
+  check(setup: RunSetup): Promise<Refusal | null> {
     return this.ask((api) => api.check(setup))
   }
 

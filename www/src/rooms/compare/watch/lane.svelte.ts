@@ -1,4 +1,5 @@
 import type { Catalogue, Outcome, Scene, TrialCurve } from 'forage-lab'
+import { codeOf } from '../../../catalogue/own'
 import type { Values } from '../../../engine/trial.protocol'
 import type { Refusal, Report, Run } from '../../../engine/protocol'
 import { RunClient } from '../../../engine/run-client'
@@ -66,6 +67,8 @@ export class Lane {
   /** It takes part. */
   readonly racing = $derived(this.run !== null && this.refusal === '' && this.crash === '')
 
+  /** Its planner's, if somebody wrote that. */
+  private code: string | undefined
   private open = false
   /** Those who wait for the newest start, and for it to be where it goes. */
   private onstarted: ((begun: boolean) => void) | null = null
@@ -92,9 +95,15 @@ export class Lane {
 
   /** Takes a planner with its parameters; false if it runs with them already. */
   asks(planner: string, params: Values, scene: Scene): boolean {
+    const { code } = codeOf(this.setup.catalogue?.planners.find(({ name }) => name === planner))
     const same =
-      planner === this.planner && JSON.stringify(params) === JSON.stringify(this.params) && sameScene(scene, this.scene) && this.open
+      planner === this.planner &&
+      code === this.code &&
+      JSON.stringify(params) === JSON.stringify(this.params) &&
+      sameScene(scene, this.scene) &&
+      this.open
     this.planner = planner
+    this.code = code
     this.params = params
     this.scene = scene
     return !same
@@ -106,9 +115,9 @@ export class Lane {
     this.refusal = ''
     this.onstarted?.(false)
     this.arrive(null)
-    const { planner, params, scene } = this
+    const { planner, params, scene, code } = this
     if (!scene) return Promise.resolve(false)
-    this.client.want({ start: { setup: { planner, scene, params, seed }, at: 0, play: false }, summary: false })
+    this.client.want({ start: { setup: { planner, code, scene, params, seed }, at: 0, play: false }, summary: false })
     if (!this.open) {
       this.open = true
       void this.client.open()

@@ -1,0 +1,18 @@
+import type { Setup } from 'forage-lab'
+import type { RunSetup } from '../../catalogue/own'
+import type { Answer } from '../protocol'
+import { within } from './answers'
+
+/** What is added to links so that they carry the code. */
+export type Carried = Answer<string>
+
+/** A setup as the core takes it. A planner that somebody wrote is made known before. */
+export const known = ({ code, ...setup }: RunSetup): Promise<Answer<Setup>> =>
+  within(async () => {
+    if (code !== undefined) await (await import('./own')).bring(code)
+    return setup as Setup
+  })
+
+/** Refused where the code is too long for a link. */
+export const carried = ({ code }: RunSetup): Promise<Carried> =>
+  within(async () => (code === undefined ? '' : (await import('./own')).withCode('', code)))

@@ -1,0 +1,108 @@
+import type { Catalogue } from 'forage-lab'
+import { isOwn, type OwnPlanner, ownPlanner, withPlanner } from '../catalogue/own'
+import type { Questions } from '../engine/host/questions'
+import type { Answer } from '../engine/protocol'
+import { isShortened, restored } from './large-links'
+import { recall } from './storage'
+
+/** A code that somebody else brings, by a link or a file: nothing of it runs before the user has seen it. */
+export interface Offer {
+  code: string
+  /** The link of a run, or the name of a file. */
+  link: string | null
+  file: string | null
+}
+
+/** Where the browser keeps what is in the editor. */
+export const DRAFT = 'workshop'
+
+const CODE = '&page.code='
+
+/** What an author says of a code: the comment that it begins with. */
+export function noteOf(code: string): string {
+  const [comment = ''] = /^\s*(?:\/\/[^\n]*(?:\n|$)\s*|\/\*[\s\S]*?\*\/\s*)+/.exec(code) ?? []
+  return comment
+    .split('\n')
+    .map((line) => line.replace(/^\s*(?:\/\/+|\/\*+|\*+\/|\*+)\s?/, '').replace(/\s*\*+\/\s*$/, ''))
+    .join('\n')
+    .trim()
+}
+
+/** Planners that somebody wrote: in the catalogue as soon as their code was read. */
+export class OwnStore {
+  /** By their codes. */
+  private readonly planners = new Map<string, OwnPlanner>()
+  /** Codes that may run: the user has seen them. */
+  private readonly seen = new Set<string>()
+  offer = $state.raw<Offer | null>(null)
+  /** It is in the editor, and has not run yet. */
+  pending: Offer | null = null
+
+  constructor(
+    private readonly api: Questions,
+    private readonly setup: { catalogue: Catalogue | null },
+  ) {}
+
+  /** Reads a code in the run's thread: its planner is in the catalogue then, in the place of another one of its name. */
+  async read(code: string): Promise<Answer<OwnPlanner>> {
+    this.seen.add(code)
+    const known = this.planners.get(code)
+    if (known) {
+      this.put(known)
+      return { ok: true, value: known }
+    }
+    const answer = await this.api.read(code)
+    const { catalogue } = this.setup
+    if (!answer.ok) return answer
+    if (!catalogue) return { ok: false, refusal: { message: 'there is no catalogue', field: '' } }
+    const planner = ownPlanner(catalogue, answer.value, code)
+    this.planners.set(code, planner)
+    this.put(planner)
+    return { ok: true, value: planner }
+  }
+
+  private put(planner: OwnPlanner): void {
+    const { catalogue } = this.setup
+    if (catalogue && !catalogue.planners.includes(planner)) this.setup.catalogue = withPlanner(catalogue, planner)
+  }
+
+  /** The planner of a code that was read before is the one of its name again. */
+  take(code: string | undefined): void {
+    const known = code === undefined ? undefined : this.planners.get(code)
+    if (known) this.put(known)
+  }
+
+  /** The code of the planner that a link names, if it is one that was read here. */
+  codeFor = (link: string): string | undefined => {
+    const name = /[#&]planner=([^&]*)/.exec(link)?.[1]
+    const planner = this.setup.catalogue?.planners.find((one) => one.name === name)
+    return isOwn(planner) ? planner.code : undefined
+  }
+
+  /** Whether a link's run may begin. A code that the user has not seen is offered first. */
+  async admits(link: string): Promise<Answer<boolean>> {
+    if (!link.includes(CODE)) return { ok: true, value: true }
+    const answer = await this.api.codeIn(isShortened(link) ? await restored(link) : link)
+    if (!answer.ok) return answer
+    const code = answer.value
+    if (code === null) return { ok: true, value: true }
+    if (!this.seen.has(code) && code !== recall(DRAFT)) {
+      this.offer = { code, link, file: null }
+      return { ok: true, value: false }
+    }
+    const read = await this.read(code)
+    return read.ok ? { ok: true, value: true } : read
+  }
+
+  /** The offered code may run from now on. */
+  accept({ code }: Offer): void {
+    this.seen.add(code)
+    this.offer = null
+  }
+
+  /** It is looked at where it can be changed. */
+  edit(offer: Offer): void {
+    this.pending = offer
+    this.offer = null
+  }
+}

@@ -1,0 +1,151 @@
+import type { OwnPlanner } from '../catalogue/own'
+import { isOwn } from '../catalogue/own'
+import { EXPLANATIONS } from '../locales/en/workshop'
+import type { Line, Refusal } from '../engine/protocol'
+import type { Variable } from '../text/variables'
+import { changes } from '../text/variables'
+import { perLab } from './context.svelte'
+import type { Lab } from './lab.svelte'
+import { DRAFT } from './own.svelte'
+import { unlessGone } from './questions'
+import { recall, remember } from './storage'
+
+/** Where the browser keeps what was in the editor before. */
+const LAST = 'workshop.last'
+/** After so many milliseconds without a key the code is run. */
+const PAUSE = 700
+
+/** What is wrong with a code, and where: lines from 1. */
+export interface Problem {
+  message: string
+  line: number | null
+  column: number | null
+  /** What that usually means. */
+  meaning: string
+}
+
+/** What an iteration changed. */
+export interface Changed {
+  iteration: number
+  changed: readonly Variable[]
+  /** How many numbers and texts stayed the same. */
+  same: number
+}
+
+/** Where a message says in which line it is. */
+const LINE = / \(line (\d+)\)/
+
+function problemOf({ message, line, column }: Pick<Refusal, 'message' | 'line' | 'column'>): Problem {
+  const said = message.replace(/^code: /, '')
+  const at = line ?? (Number(LINE.exec(said)?.[1]) || null)
+  // Of a run that failed it is quoted.
+  const core = /“(.+)”/s.exec(said)?.[1] ?? said
+  const meaning = EXPLANATIONS.find(([pattern]) => pattern.test(core))?.[1] ?? ''
+  return { message: said, line: at, column: column ?? null, meaning }
+}
+
+/** A planner while it is written. */
+export class Workshop {
+  /** What is in the editor. */
+  text = $state.raw('')
+  /** What was in the editor before another code took its place. */
+  last = $state.raw(recall(LAST))
+  auto = $state(recall('workshop.auto') !== 'no')
+  /** What is wrong with the code that was read last. */
+  private refused = $state.raw<Problem | null>(null)
+  /** It is being read. */
+  reading = $state(false)
+  lines = $state.raw<readonly Line[]>([])
+  changed = $state.raw<Changed | null>(null)
+  private timer: ReturnType<typeof setTimeout> | undefined
+  private request = 0
+
+  /** The planner that the page runs, if somebody wrote it. */
+  readonly planner = $derived.by<OwnPlanner | null>(() => (isOwn(this.lab.setup.planner) ? this.lab.setup.planner : null))
+  /** The page runs what is in the editor. */
+  readonly current = $derived.by(() => this.planner?.code === this.text)
+  /** What is wrong: with the code, or with its run. */
+  readonly problem = $derived.by<Problem | null>(() => {
+    if (this.refused) return this.refused
+    const { outcome, refusal } = this.lab.run
+    if (!this.current) return null
+    if (refusal) return problemOf(refusal)
+    return outcome?.status === 'failed' && !this.lab.playback.stale ? problemOf({ message: outcome.trouble ?? '' }) : null
+  })
+
+  constructor(private readonly lab: Lab) {}
+
+  /** What there is to edit at first: what runs, what was written here before, or this. */
+  begin(first: string): void {
+    if (this.text !== '') return
+    this.text = this.planner?.code ?? recall(DRAFT) ?? first
+  }
+
+  /** Puts a code into the editor. `run`: it runs at once. What was there is kept. */
+  put(code: string, run: boolean): void {
+    if (this.text !== code && this.text !== '') {
+      this.last = this.text
+      remember(LAST, this.text)
+    }
+    this.keep(code)
+    this.refused = null
+    if (run) void this.run()
+  }
+
+  private keep(code: string): void {
+    clearTimeout(this.timer)
+    this.text = code
+    remember(DRAFT, code)
+  }
+
+  /** The code was changed. */
+  write = (code: string): void => {
+    if (code === this.text) return
+    this.keep(code)
+    if (this.auto) this.timer = setTimeout(() => void this.run(), PAUSE)
+  }
+
+  setAuto = (auto: boolean): void => {
+    this.auto = auto
+    remember('workshop.auto', auto ? 'yes' : 'no')
+    clearTimeout(this.timer)
+    if (auto && !this.current) void this.run()
+  }
+
+  /** Reads the code and runs its planner: where the run is, if it is one of the same name. */
+  run = async (): Promise<void> => {
+    clearTimeout(this.timer)
+    this.request += 1
+    const { request, text } = this
+    this.reading = true
+    const answer = await this.lab.own.read(text).catch(unlessGone)
+    if (request !== this.request) return
+    this.reading = false
+    this.refused = answer && !answer.ok ? problemOf(answer.refusal) : null
+    if (!answer?.ok) return
+    const { pending } = this.lab.own
+    this.lab.own.pending = null
+    // It came with a run.
+    if (pending?.link && pending.code === text) void this.lab.openLink(pending.link)
+    else this.lab.setup.runOwn(answer.value)
+  }
+
+  /** Asks what the planner has printed. */
+  async hear(): Promise<void> {
+    const lines = this.planner ? await this.lab.api.lines().catch(unlessGone) : []
+    if (lines) this.lines = lines
+  }
+
+  /** Asks what the last iteration changed. */
+  async look(): Promise<void> {
+    const answer = this.planner ? await this.lab.api.states().catch(unlessGone) : null
+    if (!answer?.ok || !answer.value) {
+      this.changed = null
+      return
+    }
+    const { iteration, before, now } = answer.value
+    this.changed = { iteration, ...changes(before, now) }
+  }
+}
+
+export const workshopOf = perLab((lab) => new Workshop(lab))
