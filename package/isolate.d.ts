@@ -1,5 +1,5 @@
 import type { Session } from './forage.js'
-import type { Described } from './planner.js'
+import type { Described, Tools } from './planner.js'
 
 /**
  * Adds a planner by its code: a script that calls `register({ … })` once, which is there, or imports it from `forage-lab`. The code runs
@@ -21,3 +21,6 @@ export function codeIn(link: string): Promise<string | undefined>
 
 /** The state of the planner of a session, as plain data; undefined where it is a planner of the package. */
 export function stateOf(session: Session): unknown
+
+/** The mathematics that planners are given, while one of their functions runs. */
+export const mathematics: Tools['math']

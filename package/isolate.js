@@ -3,7 +3,7 @@ import { compiled, load } from './page.js'
 import { interpreter } from './parts.js'
 
 export { codeIn, withCode } from './own/link.js'
-export { stateOf } from './own.js'
+export { mathematics, stateOf } from './own.js'
 
 /** Adds a planner by its code, which runs in an interpreter of its own. */
 export const registerCode = (code, { onprint } = {}) =>

@@ -4,7 +4,7 @@ import { load } from './node.js'
 import { interpreter } from './parts.js'
 
 export { codeIn, withCode } from './own/link.js'
-export { stateOf } from './own.js'
+export { mathematics, stateOf } from './own.js'
 
 /** Adds a planner by its code, which runs in an interpreter of its own. */
 export const registerCode = (code, { onprint } = {}) =>

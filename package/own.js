@@ -4,7 +4,7 @@
 import { lent, lentList, registerPlanner } from './glue.js'
 import { afterReset, holdersOf } from './loader.js'
 import { describe, refused } from '../crates/isolate/src/js/describe.js'
-import { hostOf } from '../crates/isolate/src/js/host.js'
+import { hostOf, mathBy } from '../crates/isolate/src/js/host.js'
 
 export { describe }
 
@@ -62,6 +62,9 @@ export function add(described, given) {
   known.set(described.name, { described, host, replace, state })
   return described
 }
+
+/** `Math` for code of planners. */
+export const mathematics = mathBy(lent)
 
 /** The state of a session's planner, if somebody wrote that planner. */
 export function stateOf(session) {

@@ -1,30 +1,36 @@
 import type { Catalogue, Layer, Planner, UncheckedSetup } from 'forage-lab'
 
 /** A setup with the code of its planner, if somebody wrote that. */
-export type RunSetup = UncheckedSetup & { code?: string | undefined }
+export type RunSetup = UncheckedSetup & {
+  code?: string | undefined
+  /** The code runs without an interpreter around it: the user wrote it, and wants that. */
+  full?: boolean | undefined
+}
 
 /** A planner that somebody wrote. */
 export interface OwnPlanner extends Planner {
   code: string
+  full: boolean
 }
 
 export const isOwn = (planner: Planner | null | undefined): planner is OwnPlanner => planner != null && 'code' in planner
 
 /** What a setup has besides the planner's name. */
-export const codeOf = (planner: Planner | null | undefined): Pick<RunSetup, 'code'> => (isOwn(planner) ? { code: planner.code } : {})
+export const codeOf = (planner: Planner | null | undefined): Pick<RunSetup, 'code' | 'full'> =>
+  isOwn(planner) ? { code: planner.code, full: planner.full } : {}
 
 /** The look of layers that no planner of the catalogue has. */
 const OTHERWISE = 'particles'
 
 /** As the catalogue has planners: its layers look as those of the same name do elsewhere. */
-export function ownPlanner({ planners }: Catalogue, described: Planner, code: string): OwnPlanner {
+export function ownPlanner({ planners }: Catalogue, described: Planner, code: string, full: boolean): OwnPlanner {
   const known = planners.filter((planner) => !isOwn(planner)).flatMap(({ layers }) => layers)
   const lookOf = (role: string): Layer['look'] | undefined => known.find((layer) => layer.role === role)?.look
   const layers = described.layers.flatMap((layer): Layer[] => {
     const look = lookOf(layer.role) ?? lookOf(OTHERWISE)
     return look ? [{ ...layer, look } as Layer] : []
   })
-  return { ...described, layers, code } as OwnPlanner
+  return { ...described, layers, code, full } as OwnPlanner
 }
 
 /** The catalogue with a planner, in the place of another one of its name. */

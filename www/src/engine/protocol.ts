@@ -235,6 +235,8 @@ export type ToHost = { number: number } & (
   /** What runs of other planners found; null: they cannot be carried out elsewhere. */
   | { is: 'results'; id: number; results: Finding[] | null }
   | { is: 'buffer'; buffer: ArrayBuffer }
+  /** Only its receipt matters. */
+  | { is: 'ping' }
 )
 
 export type FromHost =

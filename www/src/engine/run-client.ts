@@ -38,6 +38,8 @@ export interface Listeners {
   onreplaced(): void
 }
 
+/** How often a thread is asked for a sign of life in which a code runs that nothing else stops, in milliseconds. */
+const HEARTBEAT = 500
 /** How often the progress of runs that a step needs is reported, in milliseconds. */
 const PROGRESS_INTERVAL = 100
 
@@ -84,6 +86,7 @@ export class RunClient {
   /** The request for subtasks that the next step waits for. */
   private needed = 0
   private lastProgress = 0
+  private heartbeat: ReturnType<typeof setInterval> | undefined
 
   constructor(
     private readonly listeners: Listeners,
@@ -129,7 +132,14 @@ export class RunClient {
     if (change.start || change.target) this.followed = this.version
     if ('item' in change) this.chosen = this.version
     this.post({ is: 'want', version: this.version, change })
+    if (change.start) this.listen(change.start)
     return this.version
+  }
+
+  /** A code without an interpreter may never come to an end. */
+  private listen({ setup }: Start): void {
+    clearInterval(this.heartbeat)
+    if (setup.full) this.heartbeat = setInterval(() => this.post({ is: 'ping' }), HEARTBEAT)
   }
 
   /** Whether a report follows the newest start and target. */
@@ -173,6 +183,7 @@ export class RunClient {
   /** Ends the thread; what is wanted is kept for the next one. */
   close(): void {
     this.watchdog.stop()
+    clearInterval(this.heartbeat)
     this.subtasks?.drop()
     this.worker?.terminate()
     this.worker = undefined
@@ -324,7 +335,9 @@ export class RunClient {
     const start = begin ?? present?.start
     if (!start) return
     const from = begin ? begin.at : (present?.at ?? 0)
-    desired.start = { setup: start.setup, at: goesOn ? (heading.at ?? from) : from, play: goesOn && heading.play }
+    // A code without an interpreter may be why the thread did not answer.
+    const setup = start.setup.full ? { ...start.setup, full: false } : start.setup
+    desired.start = { setup, at: goesOn ? (heading.at ?? from) : from, play: goesOn && heading.play }
     desired.target = null
     this.begins = [{ version: this.version, start: desired.start }]
   }

@@ -5,6 +5,7 @@ import { Awaited } from './awaited.svelte'
 import { ColumnStore } from './column.svelte'
 import type { Standard } from '../catalogue/standard'
 import { host } from '../engine/host'
+import { en } from '../locales/en/page'
 import { ExperimentsStore } from './experiments.svelte'
 import { Followers } from './followers.svelte'
 import { FollowStore } from './follow'
@@ -55,7 +56,7 @@ export class Lab {
     onrefused: (refusal, version) => this.starts.refuse(worded(refusal), version),
     onprogress: (progress) => this.receiveProgress(progress),
     onbroken: (message) => this.breakDown(message),
-    onreplaced: () => this.leaveThread('loading'),
+    onreplaced: () => this.replaced(),
   })
   /** For questions to the run. */
   readonly api = questionsTo(this.client, (link) => this.own.codeFor(link))
@@ -176,6 +177,14 @@ export class Lab {
     this.leaveThread('crashed')
     this.parameters.forget()
     this.playback.forget()
+  }
+
+  private replaced(): void {
+    if (this.own.full) {
+      this.own.slowDown()
+      this.notices.text = en.notices.slowed
+    }
+    this.leaveThread('loading')
   }
 
   /** Another thread goes on with what is wanted, at once or when the user says so. */

@@ -32,6 +32,10 @@ export function noteOf(code: string): string {
 export class OwnStore {
   /** By their codes. */
   private readonly planners = new Map<string, OwnPlanner>()
+  /** Codes that came from elsewhere. */
+  private readonly foreign = new Set<string>()
+  /** What the user writes runs without an interpreter. */
+  full = $state(false)
   /** Codes that may run: the user has seen them. */
   private readonly seen = new Set<string>()
   offer = $state.raw<Offer | null>(null)
@@ -43,11 +47,12 @@ export class OwnStore {
     private readonly setup: { catalogue: Catalogue | null },
   ) {}
 
-  /** Reads a code in the run's thread: its planner is in the catalogue then, in the place of another one of its name. */
-  async read(code: string): Promise<Answer<OwnPlanner>> {
+  /** Reads a code in the run's thread: its planner is in the catalogue then, in the place of another one of its name. `full`: it runs without an interpreter. */
+  async read(code: string, full = false): Promise<Answer<OwnPlanner>> {
     this.seen.add(code)
     const known = this.planners.get(code)
     if (known) {
+      known.full = full
       this.put(known)
       return { ok: true, value: known }
     }
@@ -55,7 +60,7 @@ export class OwnStore {
     const { catalogue } = this.setup
     if (!answer.ok) return answer
     if (!catalogue) return { ok: false, refusal: { message: 'there is no catalogue', field: '' } }
-    const planner = ownPlanner(catalogue, answer.value, code)
+    const planner = ownPlanner(catalogue, answer.value, code, full)
     this.planners.set(code, planner)
     this.put(planner)
     return { ok: true, value: planner }
@@ -64,6 +69,14 @@ export class OwnStore {
   private put(planner: OwnPlanner): void {
     const { catalogue } = this.setup
     if (catalogue && !catalogue.planners.includes(planner)) this.setup.catalogue = withPlanner(catalogue, planner)
+  }
+
+  isForeign = (code: string): boolean => this.foreign.has(code)
+
+  /** From now on all runs in an interpreter. */
+  slowDown(): void {
+    this.full = false
+    for (const planner of this.planners.values()) planner.full = false
   }
 
   /** The planner of a code that was read before is the one of its name again. */
@@ -97,11 +110,13 @@ export class OwnStore {
   /** The offered code may run from now on. */
   accept({ code }: Offer): void {
     this.seen.add(code)
+    this.foreign.add(code)
     this.offer = null
   }
 
   /** It is looked at where it can be changed. */
   edit(offer: Offer): void {
+    this.foreign.add(offer.code)
     this.pending = offer
     this.offer = null
   }

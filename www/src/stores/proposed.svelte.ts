@@ -18,6 +18,8 @@ export interface ProposedComparison {
   scene: string | Scene
   planners: readonly Contender[]
   seeds: { from: number; count: number }
+  /** How long each runs: as long as it is set to, or until it has evaluated as often as the first. */
+  budget?: 'own' | 'first'
 }
 
 /** What one room asks another to set up: the other takes it when it opens, and puts null in its place. */

@@ -12,6 +12,8 @@ import { recall, remember } from './storage'
 
 /** Where the browser keeps what was in the editor before. */
 const LAST = 'workshop.last'
+/** Whether that is somebody else's. */
+const FOREIGN = 'workshop.foreign'
 /** After so many milliseconds without a key the code is run. */
 const PAUSE = 700
 
@@ -50,6 +52,8 @@ export class Workshop {
   text = $state.raw('')
   /** What was in the editor before another code took its place. */
   last = $state.raw(recall(LAST))
+  /** Somebody else wrote it, or what it was made of. */
+  foreign = $state(recall(FOREIGN) === 'yes')
   auto = $state(recall('workshop.auto') !== 'no')
   /** What is wrong with the code that was read last. */
   private refused = $state.raw<Problem | null>(null)
@@ -78,15 +82,19 @@ export class Workshop {
   /** What there is to edit at first: what runs, what was written here before, or this. */
   begin(first: string): void {
     if (this.text !== '') return
-    this.text = this.planner?.code ?? recall(DRAFT) ?? first
+    const { planner } = this
+    this.text = planner?.code ?? recall(DRAFT) ?? first
+    if (planner) this.foreign = this.lab.own.isForeign(planner.code)
   }
 
   /** Puts a code into the editor. `run`: it runs at once. What was there is kept. */
-  put(code: string, run: boolean): void {
+  put(code: string, run: boolean, foreign = false): void {
     if (this.text !== code && this.text !== '') {
       this.last = this.text
       remember(LAST, this.text)
     }
+    this.foreign = foreign
+    remember(FOREIGN, foreign ? 'yes' : 'no')
     this.keep(code)
     this.refused = null
     if (run) void this.run()
@@ -112,13 +120,19 @@ export class Workshop {
     if (auto && !this.current) void this.run()
   }
 
+  /** With or without an interpreter. */
+  setFull = (full: boolean): void => {
+    this.lab.own.full = full
+    void this.run()
+  }
+
   /** Reads the code and runs its planner: where the run is, if it is one of the same name. */
   run = async (): Promise<void> => {
     clearTimeout(this.timer)
     this.request += 1
     const { request, text } = this
     this.reading = true
-    const answer = await this.lab.own.read(text).catch(unlessGone)
+    const answer = await this.lab.own.read(text, this.lab.own.full && !this.foreign).catch(unlessGone)
     if (request !== this.request) return
     this.reading = false
     this.refused = answer && !answer.ok ? problemOf(answer.refusal) : null

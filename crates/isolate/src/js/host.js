@@ -13,7 +13,7 @@ const PATH = 1
 const ORDER = 2
 
 /** Functions whose bits are the same everywhere, which those of `Math` are not. */
-function mathBy(lent) {
+export function mathBy(lent) {
   const one = (name) => (x) => lent(SCALAR[name], +x, 0)
   const two = (name) => (x, y) => lent(SCALAR[name], +x, +y)
   const own = Object.fromEntries(['sin', 'cos', 'exp', 'log', 'acos', 'asin', 'log10'].map((name) => [name, one(name)]))

@@ -2,11 +2,13 @@
 import { codeIn, registerCode, stateOf, withCode } from 'forage-lab/isolate'
 import type { Planner, Session } from 'forage-lab'
 import type { Line } from '../protocol'
+import { registerPlain } from './plain'
 import { printing } from './printing'
 
 /** A code that is known to this thread's core. */
 interface Known {
   code: string
+  full: boolean
   described: Planner
   lines: Line[]
 }
@@ -30,8 +32,8 @@ printing.onstep = (iteration) => {
   for (const one of known.values()) one.lines = one.lines.filter((line) => line.iteration < iteration)
 }
 
-async function read(code: string): Promise<Known> {
-  const last = [...known.values()].find((one) => one.code === code)
+async function read(code: string, full: boolean): Promise<Known> {
+  const last = [...known.values()].find((one) => one.code === code && one.full === full)
   if (last) return last
   let lines: Line[] = []
   let found: Known | undefined
@@ -41,15 +43,15 @@ async function read(code: string): Promise<Known> {
     if (found) found.lines = [...found.lines, line].slice(-LINES)
     else lines = [...lines, { ...line, iteration: -1 }].slice(-LINES)
   }
-  const described = await registerCode(code, { onprint })
-  found = { code, described, lines }
+  const described = full ? await registerPlain(code, onprint) : await registerCode(code, { onprint })
+  found = { code, full, described, lines }
   known.set(described.name, found)
   return found
 }
 
 /** Makes a code's planner known. Fails with what is wrong in it. */
-export function bring(code: string): Promise<Known> {
-  const found = queue.then(() => read(code))
+export function bring(code: string, full = false): Promise<Known> {
+  const found = queue.then(() => read(code, full))
   queue = found.catch(() => undefined)
   return found
 }

@@ -144,7 +144,7 @@ export class Editor {
       autocompletion({ icons: false }),
       syntaxHighlighting(COLOURS),
       help,
-      EditorView.contentAttributes.of({ 'aria-label': label, 'data-testid': 'editor' }),
+      EditorView.contentAttributes.of({ 'aria-label': label, 'data-testid': 'editor', tabindex: '0' }),
       keymap.of([
         {
           key: 'Mod-Enter',

@@ -169,6 +169,7 @@ export const en = {
     now: 'Load it',
   },
   notices: {
+    slowed: 'The code did not come to an end. It runs in the interpreter again, which says where.',
     link: (message: string) => `The link could not be opened: ${message}`,
     hash: (iteration: string, promised: string, found: string) =>
       `Not the same bits: at iteration ${iteration} the link promises ${promised}, and ${found} came out here. Another version made the link, or somebody changed it.`,

@@ -144,10 +144,10 @@ export class Comparison {
     return this.set(preset.scene, plan)
   }
 
-  /** What another room proposes becomes the plan: its runs are given, with their own iterations. */
-  propose = ({ as, scene, planners, seeds }: ProposedComparison): void => {
+  /** What another room proposes becomes the plan. */
+  propose = ({ as, scene, planners, seeds, budget = 'own' }: ProposedComparison): void => {
     this.as = as
-    this.set(scene, { entrants: planners, ...seeds, budget: 'own' })
+    this.set(scene, { entrants: planners, ...seeds, budget })
   }
 
   private set(name: string | Scene, plan: { entrants: Preset['entrants']; from: number; count: number; budget: Budget }): boolean {

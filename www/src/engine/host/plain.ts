@@ -1,0 +1,75 @@
+/* A planner's code without an interpreter around it. Only for what the user wrote, and only after a question. */
+import { type Planner, register } from 'forage-lab'
+import { mathematics } from 'forage-lab/isolate'
+
+type Functions = Record<string, unknown>
+
+/** The line of a code in what a browser tells of an error: scripts from memory have addresses of their own. */
+const LINE = /blob:[^\n]*?:(\d+):\d+/
+
+/** As the interpreter says it. */
+function told(error: unknown): Error {
+  if (!(error instanceof Error)) return new Error(String(error))
+  const line = LINE.exec(error.stack ?? '')?.[1]
+  return new Error(`${error.name}: ${error.message}${line ? ` (line ${line})` : ''}`)
+}
+
+/** The same functions, whose errors have their line. */
+function watched(planner: Functions): Functions {
+  const entries = Object.entries(planner).map(([name, value]) => [
+    name,
+    typeof value !== 'function'
+      ? value
+      : (...given: unknown[]) => {
+          try {
+            return value.apply(planner, given) as unknown
+          } catch (error) {
+            throw told(error)
+          }
+        },
+  ])
+  return Object.fromEntries(entries) as Functions
+}
+
+const shown = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? String(value)))
+
+let print: (line: string) => void = () => undefined
+let patched = false
+
+/** What it prints is shown as that of others is. */
+function listen(): void {
+  if (patched) return
+  patched = true
+  const { log } = console
+  console.log = (...given: unknown[]) => {
+    print(given.map(shown).join(' '))
+    log(...given)
+  }
+}
+
+function refuseChance(): never {
+  throw new Error('Math.random is another one each time: take `random` from what `start` and `advance` are given')
+}
+
+/** Registers the planner of a code that was read in the interpreter before. */
+export async function registerPlain(code: string, onprint: (line: string) => void): Promise<Planner> {
+  let given: Functions | undefined
+  listen()
+  print = onprint
+  Object.assign(globalThis, {
+    forageMath: { ...mathematics, random: refuseChance },
+    register: (planner: Functions) => {
+      given = planner
+    },
+  })
+  // Its lines stay where they are.
+  const script = `const Math = globalThis.forageMath; ${code.replace(/import\s*\{\s*register\s*\}\s*from\s*(['"])forage-lab\1/, (found) => found.replace(/[^\n]/g, ''))}`
+  const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
+  try {
+    await import(/* @vite-ignore */ address)
+  } finally {
+    URL.revokeObjectURL(address)
+  }
+  if (!given) throw new Error('it registers no planner')
+  return register(watched(given) as unknown as Parameters<typeof register>[0])
+}

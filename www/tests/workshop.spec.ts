@@ -1,0 +1,258 @@
+import type { Page } from '@playwright/test'
+import { readFileSync } from 'node:fs'
+import { violations } from './support/axe'
+import { expect, pick, test } from './support/lab'
+
+const template = (name: string): string => readFileSync(new URL(`../../templates/${name}.js`, import.meta.url), 'utf8')
+const CLIMBER = template('hill-climber')
+
+/** The Workshop, with this code in its editor. */
+async function opened(page: Page, code: string): Promise<void> {
+  await page.addInitScript((text) => {
+    if (location.protocol === 'about:') return
+    if (!sessionStorage.getItem('begun')) localStorage.setItem('forage.workshop', text)
+    sessionStorage.setItem('begun', 'yes')
+  }, code)
+  await page.goto('./#view=workshop')
+  await page.getByTestId('editor').waitFor()
+}
+
+/** Puts the cursor behind a text. */
+async function behind(page: Page, text: string): Promise<void> {
+  await page.getByTestId('editor').click()
+  await page.keyboard.press('Control+f')
+  await page.keyboard.type(text)
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Escape')
+  await page.keyboard.press('ArrowRight')
+}
+
+async function run(page: Page): Promise<void> {
+  await page.getByTestId('run-code').click()
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+}
+
+test('a planner is written from a template, changed where the run is, and raced', async ({ lab, page }) => {
+  await page.goto('./#view=workshop')
+  await page.getByTestId('editor').waitFor()
+  await pick(page, 'template', 'hill-climber')
+  await expect(page.getByTestId('workshop-scene')).toHaveValue('Sphere, 2 variables')
+  await page.getByTestId('play').click()
+  const before = await lab.seek(40)
+  expect(await violations(lab)).toEqual([])
+
+  // Another code: the same iteration and seed, and what was before as a ghost.
+  await behind(page, '* normal()')
+  await page.keyboard.type(' * 0.5')
+  await expect(page.getByTestId('fork')).toContainText('iteration 40')
+  const after = await lab.settled(40)
+  expect(after).not.toBe(before)
+  // Undone, the code of before runs again, with the same bits.
+  await page.getByTestId('fork-undo').click()
+  await expect(lab.root).toHaveAttribute('data-hash', before)
+  await page.getByTestId('redo').click()
+  await expect(lab.root).toHaveAttribute('data-hash', after)
+
+  await page.getByTestId('race-own').click()
+  await expect(page.getByTestId('lane')).toHaveCount(2)
+  await pick(page, 'compare-adds', 'wcpso')
+  await expect(page.getByTestId('lane')).toHaveCount(3)
+  await page.getByTestId('race-end').click()
+  await expect(page.getByTestId('lane').first()).toContainText('1001')
+})
+
+test('what is wrong is said at its line, and what was there goes on', async ({ lab, page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await page.getByTestId('play').click()
+  const hash = await lab.seek(20)
+  await behind(page, 'const cost = evaluate(tried)')
+  await page.keyboard.type('\n)')
+  const problem = page.getByTestId('problem')
+  await expect(problem).toContainText('SyntaxError')
+  await expect(problem).toContainText('a bracket')
+  await expect(page.getByTestId('go-to-line')).toHaveText('Go to line 30')
+  expect(await lab.settled(20)).toBe(hash)
+  expect(await violations(lab)).toEqual([])
+  // It throws only while it runs: the run says where.
+  for (let k = 0; k < 3; k += 1) await page.keyboard.press('Backspace')
+  await page.keyboard.type('\nconsole.log("step", state.kept)\nif (state.kept > 2) state.kept = missing')
+  await expect(problem).toContainText('missing')
+  await expect(problem).toContainText('There is no variable of this name here')
+  await expect(page.getByTestId('go-to-line')).toHaveText('Go to line 32')
+  await expect(lab.root).toHaveAttribute('data-status', 'failed')
+  await expect(page.getByTestId('console')).toContainText('step 2')
+  const lines = await page.getByTestId('console').getByRole('listitem').count()
+  expect(lines).toBe(await lab.iteration())
+  // Gone back, only what was printed until then is there; forwards it is printed once more, not twice.
+  await page.getByTestId('restart').click()
+  await page.getByTestId('step-forward').click()
+  await expect(page.getByTestId('console').getByRole('listitem')).toHaveText(['1 step 0'])
+})
+
+test('at each iteration the variables that changed are shown', async ({ lab, page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await page.getByTestId('play').click()
+  await lab.seek(0)
+  await page.getByTestId('tab-variables').click()
+  const table = page.getByTestId('variables')
+  await expect(table).toContainText('The state at the beginning')
+  await page.getByTestId('step-into').click()
+  await expect(table).toContainText('What iteration 1 changed')
+  await expect(table.getByRole('row')).toContainText([/Variable/, /tried\[0\]/, /tried\[1\]/])
+  const hash = await lab.settled(1)
+  // To look changes nothing.
+  await page.getByTestId('tab-parameters').click()
+  const step = page.getByTestId('parameters').getByRole('textbox', { name: /^Step/ })
+  await step.fill('0.2')
+  await step.press('Enter')
+  await expect(lab.root).not.toHaveAttribute('data-hash', hash)
+  await page.getByTestId('undo').click()
+  await expect(lab.root).toHaveAttribute('data-hash', hash)
+})
+
+test('help while typing comes from the contract', async ({ page }) => {
+  await opened(page, CLIMBER)
+  await behind(page, 'const tried = state.position.map((x, k) => {')
+  await page.keyboard.type('\nmath.hy')
+  await expect(page.locator('.cm-tooltip-autocomplete')).toContainText('hypot(x, y)')
+  // Enter takes it as soon as it has been there for a moment.
+  await page.waitForTimeout(200)
+  await page.keyboard.press('Enter')
+  await expect(page.getByTestId('editor')).toContainText('math.hypot(')
+  await behind(page, "kinds: ['function'],")
+  await page.keyboard.type('\nform')
+  await expect(page.locator('.cm-tooltip-autocomplete')).toContainText('formulas')
+  await page.keyboard.press('Escape')
+  const place = await page.locator('.cm-line', { hasText: 'start({ box' }).evaluate((line) => {
+    const text = document.createTreeWalker(line, NodeFilter.SHOW_TEXT)
+    for (let node = text.nextNode(); node; node = text.nextNode()) {
+      const at = (node.textContent ?? '').indexOf('evaluate')
+      if (at < 0) continue
+      const range = document.createRange()
+      range.setStart(node, at)
+      range.setEnd(node, at + 8)
+      const { x, y, width, height } = range.getBoundingClientRect()
+      return { x: x + width / 2, y: y + height / 2 }
+    }
+    throw new Error('there is no such text')
+  })
+  await page.mouse.move(place.x, place.y)
+  await expect(page.locator('.cm-help')).toContainText('The cost of a candidate')
+})
+
+test('a link shows the code and its note before it runs', async ({ lab, page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await page.getByTestId('play').click()
+  const hash = await lab.seek(30)
+  await page.getByTestId('view-lab').click()
+  const link = await lab.link(hash)
+  expect(link).toContain('page.code=')
+
+  await page.evaluate(() => localStorage.clear())
+  await page.goto('about:blank')
+  await page.goto(`./${link}`)
+  const dialog = page.getByTestId('offer-dialog')
+  await expect(dialog.getByTestId('offer-note')).toHaveText(/^A hill climber: it takes a random step/)
+  await expect(dialog.getByTestId('offer-code')).toContainText("name: 'my-hill-climber'")
+  expect(await violations(lab)).toEqual([])
+  // Left, it does not run; there is another run to look at.
+  await dialog.getByTestId('offer-leave').click()
+  await expect(lab.root).toHaveAttribute('data-iteration', /[1-9]/)
+  await expect(page.getByTestId('planner')).toHaveValue('PSO: constant coefficients')
+
+  await page.goto('about:blank')
+  await page.goto(`./${link}`)
+  await dialog.getByTestId('offer-run').click()
+  await expect(lab.root).toHaveAttribute('data-hash', hash)
+  await expect(page.getByTestId('verified')).toBeVisible()
+  // What somebody else wrote never runs at full speed.
+  await page.getByTestId('view-workshop').click()
+  await expect(page.getByTestId('editor')).toContainText('my-hill-climber')
+  await expect(page.getByTestId('full-speed')).toBeDisabled()
+})
+
+test('a file is shown before it runs, and what was written is kept', async ({ lab, page }) => {
+  await opened(page, `${CLIMBER}// mine`)
+  await page.getByTestId('code-file').setInputFiles({ name: 'swarm.js', mimeType: 'text/javascript', buffer: Buffer.from(template('pso')) })
+  const dialog = page.getByTestId('offer-dialog')
+  await expect(dialog).toContainText('swarm.js')
+  await dialog.getByTestId('offer-run').click()
+  await expect(page.getByTestId('editor')).toContainText('my-pso')
+  await expect(lab.root).toHaveAttribute('data-status', /running|exhausted/)
+  await expect(page.getByTestId('full-speed')).toBeDisabled()
+  await pick(page, 'template', 'last')
+  await expect(page.getByTestId('full-speed')).toBeEnabled()
+  const download = page.waitForEvent('download')
+  await page.getByTestId('save-code').click()
+  const saved = await download
+  expect(saved.suggestedFilename()).toBe('my-hill-climber.js')
+  expect(readFileSync(await saved.path(), 'utf8')).toBe(`${CLIMBER}// mine`)
+})
+
+/** The longest time between two pictures of the page while something happens, in milliseconds. */
+async function longestPause(page: Page, happens: () => Promise<void>): Promise<number> {
+  await page.evaluate(() => {
+    const watched = globalThis as unknown as { pauses: number[] }
+    watched.pauses = []
+    let last = performance.now()
+    const look = (now: number): void => {
+      watched.pauses.push(now - last)
+      last = now
+      requestAnimationFrame(look)
+    }
+    requestAnimationFrame(look)
+  })
+  await happens()
+  return page.evaluate(() => Math.max(...(globalThis as unknown as { pauses: number[] }).pauses.slice(1)))
+}
+
+for (const [title, code, message] of [
+  ['an endless loop', 'for (;;) evaluate(tried)', /took longer than 900 ms and was stopped \(line \d+\)/],
+  ['a memory hog', 'const all = []; for (;;) all.push(new Float64Array(1e5))', /64 MB/],
+] as const) {
+  test(`${title} is stopped with a message; the page does not stand still`, async ({ lab, page }) => {
+    await opened(page, CLIMBER)
+    await run(page)
+    await page.getByTestId('play').click()
+    const hash = await lab.seek(20)
+    await behind(page, 'const cost = evaluate(tried)')
+    const pause = await longestPause(page, async () => {
+      await page.keyboard.type('\n')
+      await page.keyboard.insertText(code)
+      await expect(page.getByTestId('problem')).toContainText(message)
+    })
+    expect(pause).toBeLessThan(500)
+    // Nothing is lost: neither the code nor the run of before.
+    await expect(page.getByTestId('editor')).toContainText('for (;;)')
+    await page.getByTestId('undo').click()
+    await expect(lab.root).toHaveAttribute('data-hash', hash)
+  })
+}
+
+test('at full speed, after a question, the bits are the same, and an endless loop goes back to the interpreter', async ({ lab, page }) => {
+  await opened(page, template('pso'))
+  await run(page)
+  await page.getByTestId('play').click()
+  const hash = await lab.seek(50)
+  await page.getByTestId('full-speed').click()
+  await page.getByTestId('full-speed-no').click()
+  await expect(page.getByTestId('full-speed')).not.toBeChecked()
+  await page.getByTestId('full-speed').click()
+  expect(await violations(lab)).toEqual([])
+  await page.getByTestId('full-speed-yes').click()
+  await expect(page.getByTestId('full-speed')).toBeChecked()
+  await lab.restarted()
+  expect(await lab.settled(50)).toBe(hash)
+  await behind(page, 'advance({ particles, g }, { box, evaluate, random, params: { w, c1, c2 } }) {')
+  await page.keyboard.insertText('\nif (particles.length > 2) missing()')
+  await expect(page.getByTestId('problem')).toContainText('missing')
+  await page.keyboard.press('End')
+  await page.keyboard.press('Shift+Home')
+  await page.keyboard.press('Backspace')
+  await page.keyboard.insertText('for (;;) {}')
+  await expect(page.getByTestId('problem')).toContainText('took longer than', { timeout: 15_000 })
+  await expect(page.getByTestId('full-speed')).not.toBeChecked()
+})
