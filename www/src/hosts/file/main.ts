@@ -7,6 +7,8 @@ import 'virtual:palette.css'
 import '../../ui/theme/tokens.css'
 import '../../ui/theme/base.css'
 
+document.currentScript?.remove()
+
 // As it was opened, before the page is put into it.
 const source = `<!doctype html>\n${document.documentElement.outerHTML}\n`.replace(/ data-link="[^"]*"/, ' data-link=""')
 useHost({ ...inlinedHost, singleFile: () => Promise.resolve(source) })
