@@ -20,7 +20,7 @@ pub struct Entry {
     pub name: &'static str,
     /// The name for people.
     pub title: &'static str,
-    /// The name of its family, e.g. `swarm`.
+    /// The name of its family, e.g. `swarm`; [`OWN`](Self::OWN) for planners that are not of a program but were handed in.
     pub family: &'static str,
     /// The source, e.g. `[WCPSO] §2`.
     pub source: &'static str,
@@ -100,6 +100,9 @@ impl Entry {
             start,
         }
     }
+
+    /// The family of planners that were handed in as code.
+    pub const OWN: &'static str = "own";
 
     /// Sets the family.
     #[must_use]

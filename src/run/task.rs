@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, sync::Arc};
 use serde_json::Value as Json;
 
 use crate::{
-    describe::Registry,
+    describe::{Entry, Registry},
     kernel::{Error, Message, Scene, Status, fields::Fields, fields::shown, limits},
     message,
     params::{Overrides, Value},
@@ -42,6 +42,8 @@ pub struct Task {
     pub evaluations: Option<u64>,
     /// The planner's name, if that is given.
     pub planner: Option<String>,
+    /// The planner is one that was handed in as code.
+    pub own: bool,
     /// The scene, if that is given.
     pub scene: Option<Arc<Scene>>,
     /// Parameters that are given.
@@ -69,7 +71,7 @@ pub struct Judgement {
 }
 
 impl Task {
-    /// Reads a task as JSON: `{"goal": {"gap": 0.01}, "budget": {"evaluations": 5000}, "planner"?, "scene"?, "params"?}`. The scene is a
+    /// Reads a task as JSON: `{"goal": {"gap": 0.01}, "budget": {"evaluations": 5000}, "planner"?, "own"?, "scene"?, "params"?}`. The scene is a
     /// shipped one's name, or a scene's file in place. A lesson's file is read for the task in it.
     ///
     /// # Errors
@@ -85,6 +87,7 @@ impl Task {
         if let Some(planner) = &planner {
             registry.planner(planner)?;
         }
+        let own = own(fields.take("own"), planner.as_deref())?;
         let scene = match fields.take("scene") {
             Json::Null => None,
             Json::String(name) => Some(registry.scene(&name)?),
@@ -93,7 +96,7 @@ impl Task {
         let params = params(fields.take("params"))?;
         check(registry, planner.as_deref(), &params)?;
         fields.end()?;
-        Ok(Self { goal, evaluations, planner, scene, params })
+        Ok(Self { goal, evaluations, planner, own, scene, params })
     }
 
     /// Carries out the run of a link up to its iteration, and judges it. One that goes far beyond the budget is given up on the way, and is
@@ -157,6 +160,13 @@ impl Task {
                 "The planner is {planner}, not {given}.",
                 planner = link.setup.planner.as_str(),
                 given = given.as_str()
+            ));
+        }
+        if self.own && run.entry().family != Entry::OWN {
+            reasons.push(message!(
+                "task-not-own",
+                "A planner of your own is asked for; the link's is {planner}.",
+                planner = link.setup.planner.as_str()
             ));
         }
         if let Some(given) = self.scene.as_ref().filter(|given| given.as_ref() != link.setup.scene.as_ref()) {
@@ -272,6 +282,15 @@ fn goal(found: &Json) -> Result<Goal, Error> {
         "length" => Ok(Goal::Length(most)),
         "cost" => Ok(Goal::Cost(most)),
         _ => Err(refused()),
+    }
+}
+
+/// Whether the planner is to be one that is handed in: then none can be given.
+fn own(found: Json, planner: Option<&str>) -> Result<bool, Error> {
+    match found {
+        Json::Null | Json::Bool(false) => Ok(false),
+        Json::Bool(true) if planner.is_none() => Ok(true),
+        found => Err(Error::refused("own", shown(&found), message!("task-own", "true or false; true only without planner"))),
     }
 }
 

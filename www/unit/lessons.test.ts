@@ -164,6 +164,7 @@ describe('a prediction', () => {
 describe('a task', () => {
   const shown = {
     planner: 'pso',
+    own: false,
     scene: { name: 'sphere-2' } as Scene,
     outcome: { gap: null, length: null, cost: 0.5, feasible: true, evaluations: 900, parameters: { w: 0.7 } } as unknown as Outcome,
   }
@@ -179,6 +180,7 @@ describe('a task', () => {
       false,
       false,
     ])
+    expect([met({ goal, own: true }), met({ goal, own: true }, { own: true, planner: 'mine' })]).toEqual([false, true])
     expect(met({ goal: { gap: 1 } })).toBe(false)
     expect(met({ goal }, { outcome: { ...shown.outcome, feasible: false } })).toBe(false)
     expect(met({ goal }, { outcome: null })).toBe(false)

@@ -49,7 +49,7 @@ pub fn entry(described: &Value, start: fn(&Start) -> Result<Started, Error>) -> 
     if parameters.iter().all(|parameter| parameter.name != ITERATIONS.name()) {
         parameters.push(ITERATIONS.entry());
     }
-    let mut entry = Entry::new(name, text(described, "title"), "", "", start).family("own");
+    let mut entry = Entry::new(name, text(described, "title"), "", "", start).family(Entry::OWN);
     entry.stops = kinds == [TOUR];
     entry.kinds = leak(kinds);
     entry.parameters = leak(vec![leak(parameters)]);

@@ -55,6 +55,7 @@ fn what_is_given_must_be_so() {
     for (rest, reason) in [
         (r#""planner": "pso""#, "The planner is wpso, not pso."),
         (r#""scene": "discs-gate""#, "The scene is wcpso-discs"),
+        (r#""own": true"#, "A planner of your own is asked for; the link's is wpso."),
         (r#""params": {"population": 7}"#, "population is"),
         (r#""params": {"beta": 7}"#, "beta is not there"),
     ] {
@@ -119,6 +120,8 @@ fn a_task_that_makes_no_sense_is_refused_with_its_field() {
         (r#"{"goal": {"gap": 1}, "budget": {"evaluations": 0}}"#, "budget.evaluations"),
         (r#"{"goal": {"gap": 1}, "budget": {"evaluations": 5, "time": 3}}"#, "budget.time"),
         (r#"{"goal": {"gap": 1}, "planner": "magic"}"#, "planner"),
+        (r#"{"goal": {"gap": 1}, "planner": "pso", "own": true}"#, "own"),
+        (r#"{"goal": {"gap": 1}, "own": "yes"}"#, "own"),
         (r#"{"goal": {"gap": 1}, "scene": "nowhere"}"#, "scene"),
         (r#"{"goal": {"gap": 1}, "params": 3}"#, "params"),
         (r#"{"goal": {"gap": 1}, "params": {"w": [1]}}"#, "params.w"),

@@ -153,6 +153,7 @@ export const Task = v.strictObject({
     'With at most so many evaluations; else with as many as the run takes.',
   ),
   planner: optional(short, 'The planner that is to be used.'),
+  own: optional(v.boolean(), 'The planner is to be one that is written for it; `planner` is not given then.'),
   scene: optional(Scene, 'The scene that it is to be reached on.'),
   params: optional(Params, 'Parameters that are given.'),
 })

@@ -34,6 +34,8 @@ export function checkLesson(json: unknown): Lesson {
   checkTexts(lesson)
   checkSteps(lesson.steps)
   checkNumbers(lesson)
+  if (lesson.task?.own && lesson.task.planner !== undefined)
+    throw refuse('task.planner', 'is given, although `task.own` asks for one that is written for it')
   return lesson
 }
 

@@ -15,15 +15,21 @@ export interface Standing {
 
 interface Shown {
   planner: string
+  /** Somebody wrote the planner. */
+  own: boolean
   scene: Scene | null
   outcome: Pick<Outcome, 'gap' | 'length' | 'cost' | 'feasible' | 'evaluations' | 'parameters'> | null
 }
 
-export function standingOf({ goal, budget, planner, scene, params }: Task, shown: Shown): Standing {
+export function standingOf({ goal, budget, planner, own, scene, params }: Task, shown: Shown): Standing {
   const name = typeof scene === 'object' ? (scene as { name?: string }).name : scene
   const { outcome } = shown
   const given = Object.entries(params ?? {}).every(([parameter, value]) => outcome === null || outcome.parameters[parameter] === value)
-  const fits = (planner === undefined || planner === shown.planner) && (name === undefined || name === shown.scene?.name) && given
+  const fits =
+    (planner === undefined || planner === shown.planner) &&
+    (own !== true || shown.own) &&
+    (name === undefined || name === shown.scene?.name) &&
+    given
   const [of, most] = Object.entries(goal)[0] as ['gap' | 'length' | 'cost', number]
   const value = outcome?.feasible ? outcome[of] : null
   const evaluations = outcome?.evaluations ?? 0

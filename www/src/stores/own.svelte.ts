@@ -16,7 +16,8 @@ export interface Offer {
 /** Where the browser keeps what is in the editor. */
 export const DRAFT = 'workshop'
 
-const CODE = '&page.code='
+/** A link brings the code of its planner. */
+export const carriesCode = (link: string): boolean => link.includes('&page.code=')
 
 /** What an author says of a code: the comment that it begins with. */
 export function noteOf(code: string): string {
@@ -94,7 +95,6 @@ export class OwnStore {
 
   /** Whether a link's run may begin. A code that the user has not seen is offered first. */
   async admits(link: string): Promise<Answer<boolean>> {
-    if (!link.includes(CODE)) return { ok: true, value: true }
     const answer = await this.api.codeIn(isShortened(link) ? await restored(link) : link)
     if (!answer.ok) return answer
     const code = answer.value

@@ -13,7 +13,7 @@ import { isShortened, restored } from './large-links'
 import type { ColumnStore } from './column.svelte'
 import type { ExperimentsStore } from './experiments.svelte'
 import { type PageKeys, readPageKeys } from './page-keys'
-import type { OwnStore } from './own.svelte'
+import { carriesCode, type OwnStore } from './own.svelte'
 import type { ParametersStore } from './parameters.svelte'
 import type { PictureStore } from './picture.svelte'
 import type { PlaybackStore } from './playback.svelte'
@@ -62,9 +62,9 @@ export class Starts {
     this.opening += 1
     const read = this.awaited.add(
       async () => {
-        const admitted = await this.stores.own.admits(link)
-        if (!admitted.ok) return admitted
-        if (!admitted.value) return null
+        const admitted = carriesCode(link) ? await this.stores.own.admits(link) : null
+        if (admitted?.ok === false) return admitted
+        if (admitted?.value === false) return null
         return this.stores.api.parseLink(isShortened(link) ? await restored(link) : link)
       },
       (answer) => {

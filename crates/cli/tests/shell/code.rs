@@ -64,11 +64,15 @@ fn planners_that_are_handed_in_are_graded() {
     let endless = climber.replace("advance(state, {", "advance(state) { for (;;); }, unused(state, {").replace("unused(", "draw(");
     let links = [(climber.as_str(), 400), (slow.as_str(), 400)].map(|(code, at)| link(code, "sphere-2", at));
     let stuck = forage_isolate::with_code("#v=1&planner=my-hill-climber&scene=sphere-2&seed=1&at=400", &endless).unwrap();
+    let ours = "#v=1&planner=pso&scene=sphere-2&seed=1&at=10";
     let folder = empty_folder("graded-code");
     let [list, task] = ["links.txt", "task.json"].map(|name| folder.join(name));
-    fs::write(&list, format!("Ada {}\nBob {}\nCyd {stuck}\nDan #v=1&planner=my-hill-climber&scene=sphere-2&at=4\n", links[0], links[1]))
-        .unwrap();
-    fs::write(&task, r#"{"scene": "sphere-2", "goal": {"cost": 1}, "budget": {"evaluations": 1000}}"#).unwrap();
+    fs::write(
+        &list,
+        format!("Ada {}\nBob {}\nCyd {stuck}\nDan #v=1&planner=my-hill-climber&scene=sphere-2&at=4\nEve {ours}\n", links[0], links[1]),
+    )
+    .unwrap();
+    fs::write(&task, r#"{"own": true, "scene": "sphere-2", "goal": {"cost": 1}, "budget": {"evaluations": 1000}}"#).unwrap();
     let output = forage(&["grade", list.to_str().unwrap(), "--task", task.to_str().unwrap()]);
     let rows: Vec<String> = text(&output.stdout).lines().map(str::to_owned).collect();
     assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
@@ -76,4 +80,5 @@ fn planners_that_are_handed_in_are_graded() {
     assert!(rows[2].starts_with("false,") && rows[2].contains("Bob"), "{rows:?}");
     assert!(rows[3].starts_with("false,") && rows[3].contains("Cyd"), "{rows:?}");
     assert!(rows[4].contains("my-hill-climber") && rows[4].contains("Dan"), "{rows:?}");
+    assert!(rows[5].starts_with("false,") && rows[5].contains("A planner of your own is asked for"), "{rows:?}");
 }

@@ -1,10 +1,3 @@
-import ants from '../../../../templates/ants.js?raw'
-import climber from '../../../../templates/hill-climber.js?raw'
-import pso from '../../../../templates/pso.js?raw'
-import search from '../../../../templates/random-search.js?raw'
-import rrt from '../../../../templates/rrt.js?raw'
-import twoOpt from '../../../../templates/two-opt.js?raw'
-
 export type Level = 'easy' | 'medium' | 'hard'
 
 export interface Template {
@@ -14,12 +7,21 @@ export interface Template {
   code: string
 }
 
+const codes = import.meta.glob<string>('../../../../templates/*.js', { query: '?raw', import: 'default', eager: true })
+
+const template = (level: Level, name: string, title: string): Template => ({
+  name,
+  title,
+  level,
+  code: codes[`../../../../templates/${name}.js`] ?? '',
+})
+
 /** From easy to hard. */
 export const TEMPLATES: readonly Template[] = [
-  { name: 'random-search', title: 'Random search', level: 'easy', code: search },
-  { name: 'hill-climber', title: 'Hill climber', level: 'easy', code: climber },
-  { name: 'pso', title: 'Particle swarm: the published one', level: 'medium', code: pso },
-  { name: 'ants', title: 'Greedy ants', level: 'medium', code: ants },
-  { name: 'rrt', title: 'Random tree (RRT)', level: 'hard', code: rrt },
-  { name: 'two-opt', title: '2-opt', level: 'hard', code: twoOpt },
+  template('easy', 'random-search', 'Random search'),
+  template('easy', 'hill-climber', 'Hill climber'),
+  template('medium', 'pso', 'Particle swarm: the published one'),
+  template('medium', 'ants', 'Greedy ants'),
+  template('hard', 'rrt', 'Random tree (RRT)'),
+  template('hard', 'two-opt', '2-opt'),
 ]

@@ -89,6 +89,7 @@ export const authoring = {
     goals: { gap: 'Gap to the optimum at most', length: 'Length at most', cost: 'Cost at most' },
     value: 'Value',
     evaluations: 'Evaluations at most',
+    own: 'With a planner that the reader writes',
     text: 'Task in words',
     file: 'Save the task for forage grade',
   },

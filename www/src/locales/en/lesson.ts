@@ -46,6 +46,8 @@ export const lesson = {
     length: (most: string) => `Goal: a length of at most ${most}`,
     cost: (most: string) => `Goal: a cost of at most ${most}`,
     budget: (most: string) => `Budget: at most ${most} evaluations`,
+    own: 'With a planner that you write',
+    back: 'Back to the lesson',
     begin: 'Begin the task',
     handIn: 'Copy the link to hand in',
     copied: 'Link copied: hand it in',

@@ -1,7 +1,7 @@
 /** Where planners are written. */
 export const workshop = {
   title: 'Workshop',
-  editor: 'Code of the planner',
+  editor: 'Code of the planner. Press Escape, then Tab, to leave the editor.',
   templates: 'Template',
   changed: 'Changed',
   nothing: 'No template has this name',
@@ -27,7 +27,7 @@ export const workshop = {
   step: 'Step',
   stepHelp: 'One iteration further, and what it changed',
   panels: 'About the code',
-  tabs: { console: 'Console', variables: 'Variables', parameters: 'Parameters' },
+  tabs: { console: 'Console', variables: 'Variables', parameters: 'Parameters', task: 'Task' },
   read: 'while the code was read',
   silent: 'What the planner prints with console.log is shown here, with its iteration.',
   variables: {
