@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test'
 import { readFileSync } from 'node:fs'
 import { violations } from './support/axe'
+import { seeds } from './support/batch'
 import { expect, pick, test } from './support/lab'
 
 const template = (name: string): string => readFileSync(new URL(`../../templates/${name}.js`, import.meta.url), 'utf8')
@@ -255,4 +256,67 @@ test('at full speed, after a question, the bits are the same, and an endless loo
   await page.keyboard.insertText('for (;;) {}')
   await expect(page.getByTestId('problem')).toContainText('took longer than', { timeout: 15_000 })
   await expect(page.getByTestId('full-speed')).not.toBeChecked()
+})
+
+test('a task asks for a planner that is written for it', async ({ lab, page }) => {
+  const lesson = {
+    format: 'forage-lesson',
+    version: 1,
+    name: 'climb',
+    language: 'en',
+    title: 't',
+    summary: 't',
+    steps: [{ name: 'one', text: 't', run: { planner: 'pso', scene: 'sphere-2', params: {}, seed: 1 }, at: 0 }],
+    task: { text: 't', goal: { cost: 500 }, budget: { evaluations: 1000 }, own: true, scene: 'sphere-2' },
+    texts: { en: { t: 'Climb down' } },
+  }
+  await lab.open('#view=learn')
+  const buffer = Buffer.from(JSON.stringify(lesson))
+  await page.getByTestId('open-lesson-file').setInputFiles({ name: 'climb.json', mimeType: 'application/json', buffer })
+  // Planners of the page do not count.
+  await expect(page.getByTestId('task')).toContainText('With a planner that you write')
+  await lab.seek(100)
+  await expect(page.getByTestId('task-standing')).toContainText('another planner')
+  await expect(page.getByTestId('task-hand-in')).toBeDisabled()
+  await page.getByTestId('task-begin').click()
+  await expect(page.getByTestId('workshop')).toBeVisible()
+  await pick(page, 'template', 'hill-climber')
+  await expect(page.getByTestId('tab-task')).toHaveAttribute('aria-selected', 'true')
+  await page.getByTestId('play').click()
+  const hash = await lab.seek(60)
+  await expect(page.getByTestId('task')).toHaveAttribute('data-reached', 'true')
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
+  await page.getByTestId('task-hand-in').click()
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain(`hash=${hash}&page.code=`)
+  await page.getByTestId('task-back').click()
+  await expect(page.getByTestId('lesson')).toHaveAttribute('data-lesson', 'climb')
+  await expect(page.getByTestId('task')).toHaveAttribute('data-reached', 'true')
+})
+
+test('many runs of a planner that was written here are compared; the address carries its code', async ({ lab, page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await page.getByTestId('race-own').click()
+  await expect(page.getByTestId('lane')).toHaveCount(2)
+  await page.getByRole('radio', { name: 'Statistics' }).check()
+  await seeds(page, 5)
+  await page.getByTestId('batch-run').click()
+  await expect(page.getByTestId('batch-summary').first()).toContainText('Hill climber')
+  await expect(page.getByTestId('batch-summary').first()).toContainText('5')
+  await expect(page).toHaveURL(/&codes=/)
+  const address = new URL(page.url()).hash
+  await page.reload()
+  await expect(page.getByTestId('entrant').first()).toHaveAttribute('data-planner', 'my-hill-climber')
+  // Elsewhere the code is shown first.
+  await page.evaluate(() => {
+    localStorage.clear()
+    sessionStorage.removeItem('forage.comparison')
+  })
+  await page.goto('about:blank')
+  await page.goto(`./${address}`)
+  await expect(page.getByTestId('offer-code')).toContainText("name: 'my-hill-climber'")
+  await page.getByTestId('offer-run').click()
+  await expect(page.getByTestId('entrant').first()).toHaveAttribute('data-planner', 'my-hill-climber')
+  await expect(page.getByTestId('batch-size')).toContainText('5 seeds')
+  await lab.restarted()
 })

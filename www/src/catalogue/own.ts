@@ -10,6 +10,8 @@ export type RunSetup = UncheckedSetup & {
 /** A planner that somebody wrote. */
 export interface OwnPlanner extends Planner {
   code: string
+  /** As links have it, with its key; null where it is too long for one. */
+  packed: string | null
   full: boolean
 }
 
@@ -23,14 +25,14 @@ export const codeOf = (planner: Planner | null | undefined): Pick<RunSetup, 'cod
 const OTHERWISE = 'particles'
 
 /** As the catalogue has planners: its layers look as those of the same name do elsewhere. */
-export function ownPlanner({ planners }: Catalogue, described: Planner, code: string, full: boolean): OwnPlanner {
+export function ownPlanner({ planners }: Catalogue, described: Planner, of: Pick<OwnPlanner, 'code' | 'packed' | 'full'>): OwnPlanner {
   const known = planners.filter((planner) => !isOwn(planner)).flatMap(({ layers }) => layers)
   const lookOf = (role: string): Layer['look'] | undefined => known.find((layer) => layer.role === role)?.look
   const layers = described.layers.flatMap((layer): Layer[] => {
     const look = lookOf(layer.role) ?? lookOf(OTHERWISE)
     return look ? [{ ...layer, look } as Layer] : []
   })
-  return { ...described, layers, code, full } as OwnPlanner
+  return { ...described, layers, ...of }
 }
 
 /** The catalogue with a planner, in the place of another one of its name. */

@@ -1,4 +1,4 @@
-import type { Catalogue } from 'forage-lab'
+import type { Catalogue, Planner } from 'forage-lab'
 import { isOwn, type OwnPlanner, ownPlanner, withPlanner } from '../catalogue/own'
 import type { Questions } from '../engine/host/questions'
 import type { Answer } from '../engine/protocol'
@@ -16,8 +16,14 @@ export interface Offer {
 /** Where the browser keeps what is in the editor. */
 export const DRAFT = 'workshop'
 
+const CODE = '&page.code='
+
 /** A link brings the code of its planner. */
-export const carriesCode = (link: string): boolean => link.includes('&page.code=')
+export const carriesCode = (link: string): boolean => link.includes(CODE)
+
+/** Codes of planners, as addresses of several have them. */
+export const packedOf = (planners: readonly Planner[]): string[] =>
+  planners.flatMap((planner) => (isOwn(planner) && planner.packed !== null ? planner.packed.slice(CODE.length) : []))
 
 /** What an author says of a code: the comment that it begins with. */
 export function noteOf(code: string): string {
@@ -61,7 +67,8 @@ export class OwnStore {
     const { catalogue } = this.setup
     if (!answer.ok) return answer
     if (!catalogue) return { ok: false, refusal: { message: 'there is no catalogue', field: '' } }
-    const planner = ownPlanner(catalogue, answer.value, code, full)
+    const { planner: described, packed } = answer.value
+    const planner = ownPlanner(catalogue, described, { code, packed, full })
     this.planners.set(code, planner)
     this.put(planner)
     return { ok: true, value: planner }
@@ -95,7 +102,21 @@ export class OwnStore {
 
   /** Whether a link's run may begin. A code that the user has not seen is offered first. */
   async admits(link: string): Promise<Answer<boolean>> {
-    const answer = await this.api.codeIn(isShortened(link) ? await restored(link) : link)
+    return this.admit(isShortened(link) ? await restored(link) : link, link)
+  }
+
+  /** The same of an address with several codes, as links have them. */
+  async admitAll(packed: readonly string[], link: string): Promise<Answer<boolean>> {
+    for (const one of packed) {
+      const admitted = await this.admit(`#${CODE}${one}`, link)
+      if (!admitted.ok || !admitted.value) return admitted
+    }
+    return { ok: true, value: true }
+  }
+
+  /** The code in `carrier`, which came with a link. */
+  private async admit(carrier: string, link: string): Promise<Answer<boolean>> {
+    const answer = await this.api.codeIn(carrier)
     if (!answer.ok) return answer
     const code = answer.value
     if (code === null) return { ok: true, value: true }

@@ -26,7 +26,7 @@ import { answer, silently, within } from './answers'
 import { breathe } from './pace'
 import type { States } from './own'
 import type { RunHost } from './run-host'
-import { known } from './setups'
+import { carried, known } from './setups'
 
 type Values = Record<string, ParameterValue>
 
@@ -67,10 +67,11 @@ export function questionsTo(host: RunHost) {
       const link = await ofRun((session) => host.linkOf(session))
       return link.ok ? link.value : link
     },
-    /** What a planner is whose code this is. */
-    async read(code: string): Promise<Answer<Planner>> {
+    /** What a planner is whose code this is, and the code as links have it; null where it is too long for one. */
+    async read(code: string): Promise<Answer<{ planner: Planner; packed: string | null }>> {
       const own = await import('./own')
-      return within(async () => (await own.bring(code)).described)
+      const link = await carried({ planner: '', scene: '', code })
+      return within(async () => ({ planner: (await own.bring(code)).described, packed: link.ok ? link.value : null }))
     },
     /** The code in a link; null where it has none. */
     async codeIn(link: string): Promise<Answer<string | null>> {

@@ -1,8 +1,12 @@
 import type { Catalogue, ParameterValue, Scene } from 'forage-lab'
 import type { Questions } from '../../../engine/host/questions'
+import { packedOf } from '../../../stores/own.svelte'
 import type { Made, Maps } from '../../../engine/trial.protocol'
 import { contendersOf, contendersText, decoded, named, shippedText, wholeIn } from '../address'
 import { type Budget, COUNT, MOST_BUDGET, MOST_ENTRANTS, type Plan } from './plan'
+
+/** The key for codes of planners that somebody wrote. */
+export const CODES = 'codes'
 
 const MOST_LIMIT = 1_000_000
 
@@ -18,7 +22,9 @@ export function planKeys(
   const contenders = entrants.map(({ planner, params, scene: own }) => ({ planner, params, scene: own && textOf(own) }))
   if (contenders.some(({ scene: own }) => own === null)) return null
   const evaluations = budget === 'first' ? '' : `&budget=${budget}`
-  return `&${maps ? 'maps' : 'scene'}=${text}&seeds=${from}-${from + count - 1}${evaluations}&with=${contendersText(contenders)}`
+  const codes = packedOf(catalogue.planners.filter(({ name }) => entrants.some(({ planner }) => planner === name)))
+  const own = codes.length > 0 ? `&${CODES}=${codes.join()}` : ''
+  return `&${maps ? 'maps' : 'scene'}=${text}&seeds=${from}-${from + count - 1}${evaluations}&with=${contendersText(contenders)}${own}`
 }
 
 /** A generator's parameters are numbers, switches and choices. */

@@ -10,7 +10,7 @@ import type { ProposedComparison, Sight } from '../../../stores/proposed.svelte'
 import { SIGHTS } from '../../../stores/proposed.svelte'
 import { sceneIn } from '../address'
 import { StatisticsWorker } from '../statistics/statistics-worker'
-import { planKeys, planOf } from './address'
+import { CODES, planKeys, planOf } from './address'
 import { applicable, type Budget, COUNT, type Entrant, freeSlot, MOST_ENTRANTS, type Plan, planFor } from './plan'
 import { offered, type Preset } from './presets'
 import { remember, remembered } from './remembered'
@@ -22,6 +22,10 @@ import { fitting, type Task, taskOf, tasksOn } from './tasks'
 const FIRST = 4
 /** Requests about what is run on: a scene, or maps. */
 const GROUND = 'ground'
+
+/** The address that has these keys. */
+const addressOf = (keys: ReadonlyMap<string, string>): string =>
+  `#view=compare${[...keys].map(([key, value]) => `&${key}=${value}`).join('')}`
 
 /** What is compared: planners, a scene, seeds and a budget. It is watched side by side, or run many times. */
 export class Comparison {
@@ -177,13 +181,22 @@ export class Comparison {
 
   /** What an address names becomes the plan. What the core does not take is left out, and said. */
   openAddress = async (keys: ReadonlyMap<string, string>): Promise<void> => {
-    const { catalogue } = this.lab.setup
-    if (!catalogue) return
+    const { catalogue: before } = this.lab.setup
+    if (!before) return
     const request = this.requests.note(GROUND)
     this.as = SIGHTS.find((sight) => sight === keys.get('as')) ?? this.as
-    const { api } = this.lab
+    const { api, own } = this.lab
     this.opening = true
-    const { plan, wrong } = await planOf(keys, { catalogue, api, map: (maps, seed) => this.worker.map(maps, seed) })
+    const codes = keys.get(CODES)?.split(',') ?? []
+    const admitted = await own.admitAll(codes.slice(0, MOST_ENTRANTS), addressOf(keys))
+    if (admitted.ok && !admitted.value) {
+      // Its codes are to be seen first.
+      this.opening = false
+      this.begin()
+      return
+    }
+    const { catalogue = before } = this.lab.setup
+    const { plan, wrong } = await planOf(keys, { catalogue: catalogue ?? before, api, map: (maps, seed) => this.worker.map(maps, seed) })
       .catch((error: unknown) => ({ plan: null, wrong: [error instanceof Error ? error.message : String(error)] }))
       .finally(() => {
         this.opening = false
