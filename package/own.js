@@ -66,6 +66,13 @@ export function add(described, given) {
 /** `Math` for code of planners. */
 export const mathematics = mathBy(lent)
 
+/** What a planner says of itself that was added by its name. */
+export function describedBy(name) {
+  const found = known.get(name)
+  if (!found) throw refused('planner', name, 'the name of a planner that was registered')
+  return found.described
+}
+
 /** The state of a session's planner, if somebody wrote that planner. */
 export function stateOf(session) {
   const own = known.get(session.planner)

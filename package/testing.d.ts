@@ -22,11 +22,12 @@ export interface Report {
 
 /**
  * Runs a planner on the shipped scenes of its kinds and says what it does not keep to: the same run for the same seed, the way back,
- * hashes and links, costs that are true and never rise, what draws and explains and changes nothing. It is registered for that.
+ * hashes and links, costs that are true and never rise, what draws and explains and changes nothing. It is registered for that, or named
+ * if it was registered before.
  * `steps`: how many iterations each run takes; 40 if it is left out. `scenes`: the names of others, where those that the suite takes would
  * take too long.
  */
 export function conform<State extends object>(
-  planner: PlannerInJavaScript<State>,
+  planner: PlannerInJavaScript<State> | string,
   options?: { steps?: number; scenes?: readonly string[] },
 ): Promise<Report>

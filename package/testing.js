@@ -1,6 +1,7 @@
 import { catalogue } from './catalogue.js'
 import * as host from './page.js'
+import { describedBy } from './own.js'
 import { conformBy } from './testing/suite.js'
 
 /** Says what a planner in JavaScript does not keep to. */
-export const conform = (planner, options) => conformBy(host, catalogue().scenes, planner, options)
+export const conform = (planner, options) => conformBy({ ...host, describedBy }, catalogue().scenes, planner, options)

@@ -137,8 +137,8 @@ function scenesFor(all, kinds, names) {
 }
 
 export async function conformBy(host, scenes, planner, { steps = STEPS, scenes: names } = {}) {
-  const { Session, register, load, partsOf } = host
-  const described = await register(planner)
+  const { Session, register, load, partsOf, describedBy } = host
+  const described = typeof planner === 'string' ? describedBy(planner) : await register(planner)
   await load('links')
   const violations = []
   for (const scene of scenesFor(scenes, described.kinds, names)) {

@@ -113,6 +113,20 @@ test('at each iteration the variables that changed are shown', async ({ lab, pag
   await expect(lab.root).toHaveAttribute('data-hash', hash)
 })
 
+test('the checks say in words what a planner does not keep to', async ({ page }) => {
+  await opened(page, CLIMBER.replace('state.kept + 1 }', 'Math.floor(state.kept) + (globalThis.count = (globalThis.count ?? 0) + 1) }'))
+  await run(page)
+  await page.getByTestId('tab-check').click()
+  await page.getByTestId('check-own').click()
+  const checked = page.getByTestId('checked')
+  await expect(checked).toContainText('the same seed is the same run', { timeout: 20_000 })
+  await expect(checked).toContainText('(sphere-2, seed 7)')
+  await pick(page, 'template', 'hill-climber')
+  await expect(page.getByTestId('state')).toHaveCount(0)
+  await page.getByTestId('check-own').click()
+  await expect(checked).toContainText('It keeps to all 13 checks.', { timeout: 20_000 })
+})
+
 test('help while typing comes from the contract', async ({ page }) => {
   await opened(page, CLIMBER)
   await behind(page, 'const tried = state.position.map((x, k) => {')

@@ -67,6 +67,12 @@ export interface Made {
   refused?: Refusal
 }
 
+/** What the checks of a planner found. */
+export interface Conformance {
+  checks: string[]
+  violations: { check: string; where: string; found: string }[]
+}
+
 export interface Answered {
   comparison: Comparison
   /** Mean ranks over the seeds that all groups have run with. */

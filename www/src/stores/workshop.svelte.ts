@@ -1,7 +1,10 @@
 import type { OwnPlanner } from '../catalogue/own'
 import { isOwn } from '../catalogue/own'
 import { EXPLANATIONS } from '../locales/en/workshop'
-import type { Line, Refusal } from '../engine/protocol'
+import { Aborted, pool } from '../engine/pool'
+import type { Answer, Line, Refusal } from '../engine/protocol'
+import type { Conformance } from '../engine/trial.protocol'
+import { sameScene } from '../scene/equality'
 import type { Variable } from '../text/variables'
 import { changes } from '../text/variables'
 import { perLab } from './context.svelte'
@@ -61,6 +64,11 @@ export class Workshop {
   reading = $state(false)
   lines = $state.raw<readonly Line[]>([])
   changed = $state.raw<Changed | null>(null)
+  /** What the checks of the planner found. */
+  checked = $state.raw<Conformance | null>(null)
+  /** They are being made. */
+  checking = $state(false)
+  private checks: AbortController | null = null
   private timer: ReturnType<typeof setTimeout> | undefined
   private request = 0
 
@@ -102,6 +110,8 @@ export class Workshop {
 
   private keep(code: string): void {
     clearTimeout(this.timer)
+    this.stopChecks()
+    this.checked = null
     this.text = code
     remember(DRAFT, code)
   }
@@ -142,6 +152,37 @@ export class Workshop {
     // It came with a run.
     if (pending?.link && pending.code === text) void this.lab.openLink(pending.link)
     else this.lab.setup.runOwn(answer.value)
+  }
+
+  /** Checks whether the planner keeps to what planners must, on the scene that is shown if it ships. */
+  check = async (): Promise<void> => {
+    const { planner, lab } = this
+    if (!planner) return
+    this.stopChecks()
+    const checks = new AbortController()
+    this.checks = checks
+    this.checking = true
+    this.checked = null
+    const { present } = lab.scene
+    const ships = present !== null && (lab.setup.catalogue?.scenes.some((scene) => sameScene(scene, present)) ?? false)
+    const scene = ships ? present.name : null
+    try {
+      const answer = await pool().run<Answer<Conformance>>((api) => api.conform(planner.code, scene), { signal: checks.signal })
+      if (this.checks !== checks) return
+      if (answer.ok) this.checked = answer.value
+      else this.refused = problemOf(answer.refusal)
+    } catch (error) {
+      if (!(error instanceof Aborted)) throw error
+    } finally {
+      if (this.checks === checks) this.stopChecks()
+    }
+  }
+
+  stopChecks = (): void => {
+    const { checks } = this
+    this.checks = null
+    this.checking = false
+    checks?.abort()
   }
 
   /** Asks what the planner has printed. */

@@ -5,13 +5,16 @@ import type { RunSetup } from '../../catalogue/own'
 import type { Files } from '../host'
 import { from } from './files'
 import { causeOf, refusalOf } from './refusal'
+import { within } from './answers'
 import { breathe, SLICE } from './pace'
 import { carried, known } from './setups'
 import type { Answer, Refusal } from '../protocol'
-import type { Answered, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
+import type { Answered, Conformance, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
 
 const curves = new Map<string, Map<number, Measured>>()
 let stopped = false
+/** The checks of a planner take so many iterations each. */
+const CONFORMANCE_STEPS = 20
 
 /** How far above the optimum, as a share of it. */
 function inGap({ evaluations, values, exact }: Measured): Curve {
@@ -142,6 +145,18 @@ const api = {
     } finally {
       trial.free()
     }
+  },
+
+  /** What a planner does not keep to whose code this is, on a scene that ships. */
+  async conform(code: string, scene: string | null): Promise<Answer<Conformance>> {
+    const plain = await known({ planner: '', scene: '', code })
+    if (!plain.ok) return plain
+    const [{ bring }, { conform }] = await Promise.all([import('./own'), import('forage-lab/testing')])
+    return within(async () => {
+      const { described } = await bring(code)
+      const { checks, violations } = await conform(described.name, { steps: CONFORMANCE_STEPS, ...(scene !== null && { scenes: [scene] }) })
+      return { checks, violations }
+    })
   },
 
   /** What is wrong with a setup. */

@@ -27,7 +27,7 @@ export const workshop = {
   step: 'Step',
   stepHelp: 'One iteration further, and what it changed',
   panels: 'About the code',
-  tabs: { console: 'Console', variables: 'Variables', parameters: 'Parameters', task: 'Task' },
+  tabs: { console: 'Console', variables: 'Variables', parameters: 'Parameters', check: 'Check', task: 'Task' },
   read: 'while the code was read',
   silent: 'What the planner prints with console.log is shown here, with its iteration.',
   variables: {
@@ -42,6 +42,17 @@ export const workshop = {
     more: (count: number) => `${count} more have changed.`,
     rest: (count: number) => (count === 1 ? 'One number or text stayed the same.' : `${count} numbers and texts stayed the same.`),
     absent: '—',
+  },
+  checks: {
+    intro:
+      'Does the planner keep to what planners must? The same seed has to be the same run, the way back has to lead to the same states, and the best cost never rises.',
+    start: 'Check the planner',
+    stop: 'Stop',
+    busy: 'Checking on this scene, with two seeds …',
+    all: (count: number) => `It keeps to all ${count} checks.`,
+    some: (violations: number) =>
+      violations === 1 ? 'It does not keep to one check.' : `It does not keep to the checks, in ${violations} cases.`,
+    not: (check: string) => `Not so: “${check}”`,
   },
   good: (name: string) => `The page runs this code: ${name}.`,
   older: 'The page still runs the code before this change.',
