@@ -81,6 +81,7 @@ function faultOf(error, limit) {
 class Isolate {
   constructor({ quickjs, memory }, onprint) {
     this.memory = memory
+    this.onprint = onprint
     this.deadline = Number.POSITIVE_INFINITY
     this.lines = 0
     this.runtime = quickjs.newRuntime()
@@ -203,6 +204,17 @@ class Isolate {
     })
   }
 
+  /** What only shows something ends no run when it throws: it is printed, once. */
+  shown(name, work) {
+    try {
+      return work()
+    } catch (error) {
+      if (this.complaint !== error.message) this.onprint?.(`${name}: ${error.message}`)
+      this.complaint = error.message
+      throw error
+    }
+  }
+
   handleOf(value) {
     const { context } = this
     if (typeof value === 'number') return context.newNumber(value)
@@ -232,7 +244,7 @@ class Isolate {
         }),
       readings: (id) => this.call('readings', [id], LOOK, list),
       draw: (id) => {
-        const all = this.call('draw', [id], LOOK, list)
+        const all = this.shown('draw', () => this.call('draw', [id], LOOK, list))
         const pieces = []
         for (let at = 0; at < all.length; ) {
           const [layer, shape, count] = all.subarray(at, at + 3)
@@ -243,7 +255,7 @@ class Isolate {
         return pieces
       },
       explain: (id, layer, index) => {
-        const said = JSON.parse(this.call('explain', [id, layer, index], LOOK, text))
+        const said = JSON.parse(this.shown('explain', () => this.call('explain', [id, layer, index], LOOK, text)))
         if (!Array.isArray(said) || typeof said[0] !== 'string' || typeof said[1] !== 'string') return null
         const values = Array.isArray(said[2]) ? said[2] : []
         return [

@@ -6,7 +6,8 @@ import type { Described, Tools } from './planner.js'
  * in an interpreter of its own, which is loaded when it is needed (231 kB): without network, clock, document and storage, a second for
  * each step and 64 MB at most. `Math` has the bits of the core there. For code that comes from somebody else.
  *
- * Where a step takes longer the run ends as `failed`, and says so. What the code prints by `console.log` goes to `onprint`.
+ * Where a step takes longer the run ends as `failed`, and says so. What the code prints by `console.log` goes to `onprint`, and
+ * what is wrong with its `draw` and `explain`, which end no run.
  *
  * Throws an `Error` with the `line` and `column` where the code is wrong, or the `field` of what it says of itself, and `stopped`, which
  * is `time` or `memory`, where it was stopped.

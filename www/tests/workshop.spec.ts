@@ -91,6 +91,15 @@ test('what is wrong is said at its line, and what was there goes on', async ({ l
   await expect(page.getByTestId('console').getByRole('listitem')).toHaveText(['1 step 0'])
 })
 
+test('what is wrong in draw is printed, and the run goes on', async ({ lab, page }) => {
+  await opened(page, CLIMBER.replace("pen.points('particles', [tried])", 'pen.points(layer, [tried])'))
+  await run(page)
+  await page.getByTestId('play').click()
+  await lab.seek(5)
+  await expect(page.getByTestId('console')).toContainText("draw: ReferenceError: 'layer' is not defined (line 36)")
+  await expect(lab.root).toHaveAttribute('data-status', 'running')
+})
+
 test('at each iteration the variables that changed are shown', async ({ lab, page }) => {
   await opened(page, CLIMBER)
   await run(page)

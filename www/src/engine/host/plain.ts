@@ -7,6 +7,9 @@ type Functions = Record<string, unknown>
 /** The line of a code in what a browser tells of an error: scripts from memory have addresses of their own. */
 const LINE = /blob:[^\n]*?:(\d+):\d+/
 
+/** They end no run when they throw. */
+const SHOWS = ['draw', 'explain']
+
 /** As the interpreter says it. */
 function told(error: unknown): Error {
   if (!(error instanceof Error)) return new Error(String(error))
@@ -24,7 +27,9 @@ function watched(planner: Functions): Functions {
           try {
             return value.apply(planner, given) as unknown
           } catch (error) {
-            throw told(error)
+            const known = told(error)
+            if (SHOWS.includes(name)) print(`${name}: ${known.message}`)
+            throw known
           }
         },
   ])
