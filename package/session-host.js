@@ -13,7 +13,7 @@ function sent(result) {
   )
 }
 
-export function host({ freed, ready, Session, speakBy }) {
+export function host({ freed, ready, Session, speakBy, isolate }) {
   let session
   let last = Promise.resolve()
 
@@ -35,8 +35,9 @@ export function host({ freed, ready, Session, speakBy }) {
 
   return {
     /** Returns what is thrown once the session is freed. */
-    async open(how, from, words) {
+    async open(how, from, words, code) {
       if (words) speakBy(speaker(words.locale, words.patterns))
+      if (code !== undefined) await (await isolate()).registerCode(code)
       session = await inTurn(makers[how].bind(null, from))
       return dataOf(freed('WorkerSession', false))
     },

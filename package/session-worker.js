@@ -4,4 +4,4 @@ import { freed } from './glue.js'
 import * as forage from './page.js'
 import { host } from './session-host.js'
 
-expose(host({ ...forage, freed }))
+expose(host({ ...forage, freed, isolate: () => import('./isolate.js') }))

@@ -6,4 +6,4 @@ import { freed } from './glue.js'
 import * as forage from './node.js'
 import { host } from './session-host.js'
 
-expose(host({ ...forage, freed }), nodeEndpoint(parentPort))
+expose(host({ ...forage, freed, isolate: () => import('./isolate.node.js') }), nodeEndpoint(parentPort))

@@ -39,10 +39,10 @@ export function sessionIn(open) {
       return WorkerSession.#made('fromLink', link, options)
     }
 
-    static async #made(how, from, { worker, words } = {}) {
+    static async #made(how, from, { worker, words, code } = {}) {
       const session = new WorkerSession(key, worker)
       try {
-        session.#freed = await session.#ask((api) => api.open(how, from, words))
+        session.#freed = await session.#ask((api) => api.open(how, from, words, code))
       } catch (error) {
         session.#end(error)
         throw error

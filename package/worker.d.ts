@@ -16,6 +16,8 @@ export interface WorkerOptions {
    * `forage-lab/session-worker`. It belongs to the session from then on.
    */
   worker?: object
+  /** The code of its planner, if that is one of your own: it runs in an interpreter there, see `forage-lab/isolate`. */
+  code?: string
   /** The language of its messages, and `locales/….json` of it. English otherwise. */
   words?: { locale: string; patterns: Record<string, string> }
 }

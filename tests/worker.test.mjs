@@ -145,3 +145,18 @@ test('Node ends when nothing is waited for, freed or not', () => {
   const { stdout, status } = spawnSync('node', ['--input-type=module', '--eval', code], { encoding: 'utf8', timeout: 60_000 })
   assert.deepEqual([stdout, status], ['5\n', 0])
 })
+
+test('a planner of one’s own goes to the thread as code', async () => {
+  const code = readFileSync(new URL('../templates/hill-climber.js', import.meta.url), 'utf8')
+  const { registerCode } = await import('../pkg/isolate.node.js')
+  await registerCode(code)
+  const own = { planner: 'my-hill-climber', scene: 'sphere-2', seed: 3 }
+  const here = new Session(own)
+  const there = await WorkerSession.start(own, { code })
+  here.step(20)
+  await there.step(20)
+  assert.equal(await there.hash(), here.hash())
+  there.free()
+  await assert.rejects(WorkerSession.start(own), /my-hill-climber/)
+  await assert.rejects(WorkerSession.start(own, { code: 'register({' }), /SyntaxError/)
+})
