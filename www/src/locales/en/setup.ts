@@ -17,6 +17,7 @@ export const setup = {
     tree: 'Trees',
     dynamic: 'Driving among moving obstacles',
     tuning: 'Tuning',
+    own: 'Your own',
   } as Readonly<Record<string, string>>,
   seed: 'Seed',
   source: 'Source',
