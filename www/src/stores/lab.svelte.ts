@@ -181,7 +181,7 @@ export class Lab {
 
   private replaced(): void {
     if (this.own.full) {
-      this.own.slowDown()
+      this.own.disableFullSpeed()
       this.notices.text = en.notices.slowed
     }
     this.leaveThread('loading')

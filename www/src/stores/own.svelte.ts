@@ -82,7 +82,7 @@ export class OwnStore {
   isForeign = (code: string): boolean => this.foreign.has(code)
 
   /** From now on all runs in an interpreter. */
-  slowDown(): void {
+  disableFullSpeed(): void {
     this.full = false
     for (const planner of this.planners.values()) planner.full = false
   }

@@ -88,7 +88,7 @@ export class Workshop {
   constructor(private readonly lab: Lab) {}
 
   /** What there is to edit at first: what runs, what was written here before, or this. */
-  begin(first: string): void {
+  initialize(first: string): void {
     if (this.text !== '') return
     const { planner } = this
     this.text = planner?.code ?? recall(DRAFT) ?? first
@@ -96,19 +96,19 @@ export class Workshop {
   }
 
   /** Puts a code into the editor. `run`: it runs at once. What was there is kept. */
-  put(code: string, run: boolean, foreign = false): void {
+  setCode(code: string, run: boolean, foreign = false): void {
     if (this.text !== code && this.text !== '') {
       this.last = this.text
       remember(LAST, this.text)
     }
     this.foreign = foreign
     remember(FOREIGN, foreign ? 'yes' : 'no')
-    this.keep(code)
+    this.save(code)
     this.refused = null
     if (run) void this.run()
   }
 
-  private keep(code: string): void {
+  private save(code: string): void {
     clearTimeout(this.timer)
     this.stopChecks()
     this.checked = null
@@ -119,7 +119,7 @@ export class Workshop {
   /** The code was changed. */
   write = (code: string): void => {
     if (code === this.text) return
-    this.keep(code)
+    this.save(code)
     if (this.auto) this.timer = setTimeout(() => void this.run(), PAUSE)
   }
 
@@ -131,7 +131,7 @@ export class Workshop {
   }
 
   /** With or without an interpreter. */
-  setFull = (full: boolean): void => {
+  setFullSpeed = (full: boolean): void => {
     this.lab.own.full = full
     void this.run()
   }
@@ -186,13 +186,13 @@ export class Workshop {
   }
 
   /** Asks what the planner has printed. */
-  async hear(): Promise<void> {
+  async loadConsole(): Promise<void> {
     const lines = this.planner ? await this.lab.api.lines().catch(unlessGone) : []
     if (lines) this.lines = lines
   }
 
   /** Asks what the last iteration changed. */
-  async look(): Promise<void> {
+  async loadVariables(): Promise<void> {
     const answer = this.planner ? await this.lab.api.states().catch(unlessGone) : null
     if (!answer?.ok || !answer.value) {
       this.changed = null

@@ -50,7 +50,7 @@ async function read(code: string, full: boolean): Promise<Known> {
 }
 
 /** Makes a code's planner known. Fails with what is wrong in it. */
-export function bring(code: string, full = false): Promise<Known> {
+export function loadPlanner(code: string, full = false): Promise<Known> {
   const found = queue.then(() => read(code, full))
   queue = found.catch(() => undefined)
   return found

@@ -11,14 +11,14 @@ const LINE = /blob:[^\n]*?:(\d+):\d+/
 const SHOWS = ['draw', 'explain']
 
 /** As the interpreter says it. */
-function told(error: unknown): Error {
+function withLine(error: unknown): Error {
   if (!(error instanceof Error)) return new Error(String(error))
   const line = LINE.exec(error.stack ?? '')?.[1]
   return new Error(`${error.name}: ${error.message}${line ? ` (line ${line})` : ''}`)
 }
 
 /** The same functions, whose errors have their line. */
-function watched(planner: Functions): Functions {
+function withLines(planner: Functions): Functions {
   const entries = Object.entries(planner).map(([name, value]) => [
     name,
     typeof value !== 'function'
@@ -27,7 +27,7 @@ function watched(planner: Functions): Functions {
           try {
             return value.apply(planner, given) as unknown
           } catch (error) {
-            const known = told(error)
+            const known = withLine(error)
             if (SHOWS.includes(name)) print(`${name}: ${known.message}`)
             throw known
           }
@@ -42,7 +42,7 @@ let print: (line: string) => void = () => undefined
 let patched = false
 
 /** What it prints is shown as that of others is. */
-function listen(): void {
+function captureConsole(): void {
   if (patched) return
   patched = true
   const { log } = console
@@ -59,7 +59,7 @@ function refuseChance(): never {
 /** Registers the planner of a code that was read in the interpreter before. */
 export async function registerPlain(code: string, onprint: (line: string) => void): Promise<Planner> {
   let given: Functions | undefined
-  listen()
+  captureConsole()
   print = onprint
   Object.assign(globalThis, {
     forageMath: { ...mathematics, random: refuseChance },
@@ -76,5 +76,5 @@ export async function registerPlain(code: string, onprint: (line: string) => voi
     URL.revokeObjectURL(address)
   }
   if (!given) throw new Error('it registers no planner')
-  return register(watched(given) as unknown as Parameters<typeof register>[0])
+  return register(withLines(given) as unknown as Parameters<typeof register>[0])
 }

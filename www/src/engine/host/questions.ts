@@ -26,7 +26,7 @@ import { answer, silently, within } from './answers'
 import { breathe } from './pace'
 import type { States } from './own'
 import type { RunHost } from './run-host'
-import { carried, known } from './setups'
+import { carried, prepared } from './setups'
 
 type Values = Record<string, ParameterValue>
 
@@ -71,7 +71,7 @@ export function questionsTo(host: RunHost) {
     async read(code: string): Promise<Answer<{ planner: Planner; packed: string | null }>> {
       const own = await import('./own')
       const link = await carried({ planner: '', scene: '', code })
-      return within(async () => ({ planner: (await own.bring(code)).described, packed: link.ok ? link.value : null }))
+      return within(async () => ({ planner: (await own.loadPlanner(code)).described, packed: link.ok ? link.value : null }))
     },
     /** The code in a link; null where it has none. */
     async codeIn(link: string): Promise<Answer<string | null>> {
@@ -109,12 +109,12 @@ export function questionsTo(host: RunHost) {
     generateScene: (name: string, params: Values, seed: number): Promise<Answer<Scene>> =>
       answer(() => generateScene(name as GeneratorName, params, seed)),
     async suggest(setup: RunSetup): Promise<Answer<Suggestion | null>> {
-      const plain = await known(setup)
+      const plain = await prepared(setup)
       return plain.ok ? silently(() => suggest(plain.value)) : plain
     },
     /** `code`: of the link's planner, if it is nobody else's. */
     async parseLink(link: string, code?: string): Promise<Answer<LinkSetup>> {
-      const plain = await known({ planner: '', scene: '', code })
+      const plain = await prepared({ planner: '', scene: '', code })
       return plain.ok ? answer(() => parseLink(link)) : plain
     },
     newSeed: async (): Promise<number> => newSeed(),

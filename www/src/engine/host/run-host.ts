@@ -8,7 +8,7 @@ import { breathe, SLICE, step } from './pace'
 import { stepping } from './printing'
 import { Places } from './places'
 import { Reporter } from './reporter'
-import { type Carried, carried, known } from './setups'
+import { type Carried, carried, prepared } from './setups'
 import { words } from './rest'
 
 const FRAME_INTERVAL = 1000 / 60
@@ -220,7 +220,7 @@ export class RunHost {
     const { start } = this.desired
     const version = this.versions.start
     if (!start) return
-    const setup = await known(start.setup)
+    const setup = await prepared(start.setup)
     const accepted = setup.ok && start.check ? await silently(() => suggest(setup.value)) : null
     if (accepted?.ok) this.send({ is: 'accepted', version })
     stepping(0)

@@ -7,9 +7,9 @@ import { within } from './answers'
 export type Carried = Answer<string>
 
 /** A setup as the core takes it. A planner that somebody wrote is made known before. */
-export const known = ({ code, full = false, ...setup }: RunSetup): Promise<Answer<Setup>> =>
+export const prepared = ({ code, full = false, ...setup }: RunSetup): Promise<Answer<Setup>> =>
   within(async () => {
-    if (code !== undefined) await (await import('./own')).bring(code, full)
+    if (code !== undefined) await (await import('./own')).loadPlanner(code, full)
     return setup as Setup
   })
 

@@ -7,7 +7,7 @@ import { from } from './files'
 import { causeOf, refusalOf } from './refusal'
 import { within } from './answers'
 import { breathe, SLICE } from './pace'
-import { carried, known } from './setups'
+import { carried, prepared } from './setups'
 import type { Answer, Refusal } from '../protocol'
 import type { Answered, Conformance, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
 
@@ -82,7 +82,7 @@ const api = {
   /** Carries out a run to its end, or until `stop`. */
   async run({ setup, maps, seed, budget }: Errand): Promise<Ending> {
     stopped = false
-    const plain = await known(setup)
+    const plain = await prepared(setup)
     if (!plain.ok) return { is: 'refused', refusal: plain.refusal }
     const code = await carried(setup)
     let trial: Trial
@@ -122,7 +122,7 @@ const api = {
 
   /** What a run spends: evaluations before its first step, steps without any, those of the first step with some, and the most steps. */
   async spends(setup: RunSetup): Promise<Answer<{ start: number; idle: number; step: number; limit: number }>> {
-    const plain = await known(setup)
+    const plain = await prepared(setup)
     if (!plain.ok) return plain
     let trial: Trial
     try {
@@ -149,11 +149,11 @@ const api = {
 
   /** What a planner does not keep to whose code this is, on a scene that ships. */
   async conform(code: string, scene: string | null): Promise<Answer<Conformance>> {
-    const plain = await known({ planner: '', scene: '', code })
+    const plain = await prepared({ planner: '', scene: '', code })
     if (!plain.ok) return plain
-    const [{ bring }, { conform }] = await Promise.all([import('./own'), import('forage-lab/testing')])
+    const [{ loadPlanner }, { conform }] = await Promise.all([import('./own'), import('forage-lab/testing')])
     return within(async () => {
-      const { described } = await bring(code)
+      const { described } = await loadPlanner(code)
       const { checks, violations } = await conform(described.name, { steps: CONFORMANCE_STEPS, ...(scene !== null && { scenes: [scene] }) })
       return { checks, violations }
     })
@@ -161,7 +161,7 @@ const api = {
 
   /** What is wrong with a setup. */
   async check(setup: RunSetup): Promise<Refusal | null> {
-    const plain = await known(setup)
+    const plain = await prepared(setup)
     if (!plain.ok) return plain.refusal
     try {
       await ready(() => suggest(plain.value))
