@@ -263,6 +263,9 @@ export type Part = ${parts.map((part) => `'${part}'`).join(' | ')};
 /** Loads parts of the module; those that are there are not loaded again. In Node calls load what they need by themselves. */
 export function load(...parts: Part[]): Promise<void>;
 
+/** Loads the code of parts, and not their words: texts are keys until \`load\` has been called. In Node it is \`load\`. */
+export function loadCode(...parts: Part[]): Promise<void>;
+
 /** The parts that a run needs, as far as its names are known. */
 export function partsOf(setup: UncheckedSetup): Part[];
 

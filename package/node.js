@@ -55,6 +55,8 @@ export async function load(...parts) {
   loadNow(...parts)
 }
 
+export const loadCode = load
+
 /** As in a page; here what `make` needs is there. */
 export async function ready(make) {
   return make()

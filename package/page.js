@@ -127,6 +127,11 @@ export async function load(...parts) {
   await Promise.all([link(parts), ...all.flatMap((part) => [spoken(part), set(part)])])
 }
 
+/** Loads the code of parts, and not their words: texts are keys until `load` has been called. */
+export async function loadCode(...parts) {
+  await Promise.all([link(parts), ...['swarm', ...parts].map(set)])
+}
+
 /** Loads what a page needs to begin with: the swarms, and links. `source`: where the first part is, if it is not where this file is. */
 export default async function init(source) {
   void core(source)

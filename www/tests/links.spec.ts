@@ -182,8 +182,9 @@ test('a race has an address: its scene, seed, lanes and time; it can be copied, 
   const before = await race.seek(3000)
   await expect(page).toHaveURL(/#view=compare&as=watch&scene=[^&]{50,}&seeds=9-58&with=cpso;population=40(,\w+){3}&at=3000$/)
   await lab.press(en.bar.copy)
-  const copied = await page.evaluate(() => navigator.clipboard.readText())
-  expect(copied).toBe(page.url())
+  const clipboard = () => page.evaluate(() => navigator.clipboard.readText())
+  await expect.poll(clipboard).toBe(page.url())
+  const copied = await clipboard()
 
   const elsewhere = await browser.newContext({ serviceWorkers: 'block' })
   const other = new Race(await elsewhere.newPage())

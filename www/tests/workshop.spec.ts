@@ -28,9 +28,9 @@ async function behind(page: Page, text: string): Promise<void> {
   await page.keyboard.press('ArrowRight')
 }
 
-async function run(page: Page): Promise<void> {
+async function run(page: Page, said = 'The page runs this code'): Promise<void> {
   await page.getByTestId('run-code').click()
-  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+  await expect(page.getByTestId('state')).toContainText(said)
 }
 
 test('a planner is written from a template, changed where the run is, and raced', async ({ lab, page }) => {
@@ -98,6 +98,13 @@ test('what is wrong in draw is printed, and the run goes on', async ({ lab, page
   await lab.seek(5)
   await expect(page.getByTestId('console')).toContainText("draw: ReferenceError: 'layer' is not defined (line 36)")
   await expect(lab.root).toHaveAttribute('data-status', 'running')
+})
+
+test('what is not a number is said at once', async ({ page }) => {
+  await opened(page, CLIMBER.replace('params.step *', 'state.step *'))
+  await run(page, 'NaN')
+  await expect(page.getByTestId('problem')).toContainText('evaluate: number 0 is not a number (NaN)')
+  await expect(page.getByTestId('problem')).toContainText('Is a field misspelled')
 })
 
 test('at each iteration the variables that changed are shown', async ({ lab, page }) => {
@@ -305,6 +312,7 @@ test('a task asks for a planner that is written for it', async ({ lab, page }) =
   await expect(page.getByTestId('workshop')).toBeVisible()
   await pick(page, 'template', 'hill-climber')
   await expect(page.getByTestId('tab-task')).toHaveAttribute('aria-selected', 'true')
+  await expect(page.getByTestId('race-own')).toBeEnabled()
   await page.getByTestId('play').click()
   const hash = await lab.seek(60)
   await expect(page.getByTestId('task')).toHaveAttribute('data-reached', 'true')
@@ -342,4 +350,25 @@ test('many runs of a planner that was written here are compared; the address car
   await expect(page.getByTestId('entrant').first()).toHaveAttribute('data-planner', 'my-hill-climber')
   await expect(page.getByTestId('batch-size')).toContainText('5 seeds')
   await lab.restarted()
+})
+
+test('a race has the newest code of a planner, and those that it is compared with stay', async ({ page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await page.getByTestId('race-own').click()
+  await expect(page.getByTestId('lane')).toHaveCount(2)
+  // Those that it is compared with stay when its code is another one.
+  await pick(page, 'compare-adds', 'wcpso')
+  await expect(page.getByTestId('lane-best').first()).toHaveText(/\d/)
+  await page.getByTestId('race-end').click()
+  await expect(page.getByTestId('race')).toHaveAttribute('data-over', 'true')
+  const slow = await page.getByTestId('lane-best').first().innerText()
+  await page.getByTestId('view-workshop').click()
+  await behind(page, '* normal()')
+  await page.keyboard.type(' * 0.5')
+  await expect(page.getByTestId('race-own')).toBeEnabled()
+  await page.getByTestId('view-compare').click()
+  await expect(page.getByTestId('lane')).toHaveCount(3)
+  await expect(page.getByTestId('race')).toHaveAttribute('data-over', 'true')
+  await expect(page.getByTestId('lane-best').first()).not.toHaveText(slow)
 })

@@ -1,4 +1,4 @@
-import type { Catalogue, Layer, Planner, UncheckedSetup } from 'forage-lab'
+import type { Catalogue, Planner, UncheckedSetup } from 'forage-lab'
 
 /** A setup with the code of its planner, if somebody wrote that. */
 export type RunSetup = UncheckedSetup & {
@@ -20,20 +20,6 @@ export const isOwn = (planner: Planner | null | undefined): planner is OwnPlanne
 /** What a setup has besides the planner's name. */
 export const codeOf = (planner: Planner | null | undefined): Pick<RunSetup, 'code' | 'full'> =>
   isOwn(planner) ? { code: planner.code, full: planner.full } : {}
-
-/** The look of layers that no planner of the catalogue has. */
-const OTHERWISE = 'particles'
-
-/** As the catalogue has planners: its layers look as those of the same name do elsewhere. */
-export function ownPlanner({ planners }: Catalogue, described: Planner, of: Pick<OwnPlanner, 'code' | 'packed' | 'full'>): OwnPlanner {
-  const known = planners.filter((planner) => !isOwn(planner)).flatMap(({ layers }) => layers)
-  const lookOf = (role: string): Layer['look'] | undefined => known.find((layer) => layer.role === role)?.look
-  const layers = described.layers.flatMap((layer): Layer[] => {
-    const look = lookOf(layer.role) ?? lookOf(OTHERWISE)
-    return look ? [{ ...layer, look } as Layer] : []
-  })
-  return { ...described, layers, ...of }
-}
 
 /** The catalogue with a planner, in the place of another one of its name. */
 export const withPlanner = (catalogue: Catalogue, planner: OwnPlanner): Catalogue => ({

@@ -20,7 +20,7 @@ import { RunStore } from './run.svelte'
 import { SceneStore } from './scene.svelte'
 import { SelectionStore } from './selection.svelte'
 import { SetupStore } from './setup.svelte'
-import { type Offer, OwnStore } from './own.svelte'
+import { OwnStore } from './own.svelte'
 import { Starts } from './starts'
 import type { Subject } from './subjects'
 import { stillness, type Theme } from './theme.svelte'
@@ -128,18 +128,6 @@ export class Lab {
     }
     // Nothing was wanted before it broke down.
     if (!this.client.desired.start) await this.openFirst()
-  }
-
-  /** Runs a code that was offered: as its link says, or where the run is. */
-  runOffer = async (offer: Offer): Promise<void> => {
-    this.own.accept(offer)
-    if (offer.link !== null) {
-      await this.openLink(offer.link)
-      return
-    }
-    const read = await this.own.read(offer.code)
-    if (read.ok) this.setup.runOwn(read.value)
-    else this.notices.warn(read.refusal, read.refusal.message, () => this.runOffer(offer))
   }
 
   /** An offered code does not run. There is always a run to look at. */

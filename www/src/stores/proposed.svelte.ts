@@ -18,6 +18,8 @@ export interface ProposedComparison {
   scene: string | Scene
   planners: readonly Contender[]
   seeds: { from: number; count: number }
+  /** A comparison of the first planner on this scene stays as it is. */
+  adds?: boolean
   /** How long each runs: as long as it is set to, or until it has evaluated as often as the first. */
   budget?: 'own' | 'first'
 }

@@ -62,7 +62,7 @@ export class Starts {
     this.opening += 1
     const read = this.awaited.add(
       async () => {
-        const admitted = carriesCode(link) ? await this.stores.own.admits(link) : null
+        const admitted = carriesCode(link) ? await (await import('./own-code')).admitLink(this.stores.own, link) : null
         if (admitted?.ok === false) return admitted
         if (admitted?.value === false) return null
         return this.stores.api.parseLink(isShortened(link) ? await restored(link) : link)

@@ -9,7 +9,7 @@ import type { Variable } from '../text/variables'
 import { changes } from '../text/variables'
 import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
-import { DRAFT } from './own.svelte'
+import { DRAFT } from './own-code'
 import { unlessGone } from './questions'
 import { recall, remember } from './storage'
 
@@ -46,7 +46,7 @@ function problemOf({ message, line, column }: Pick<Refusal, 'message' | 'line' |
   // Of a run that failed it is quoted.
   const core = /“(.+)”/s.exec(said)?.[1] ?? said
   const meaning = EXPLANATIONS.find(([pattern]) => pattern.test(core))?.[1] ?? ''
-  return { message: said, line: at, column: column ?? null, meaning }
+  return { message: core, line: at, column: column ?? null, meaning }
 }
 
 /** A planner while it is written. */
@@ -71,6 +71,8 @@ export class Workshop {
   private checks: AbortController | null = null
   private timer: ReturnType<typeof setTimeout> | undefined
   private request = 0
+  /** The page runs it without an interpreter. */
+  private full = false
 
   /** The planner that the page runs, if somebody wrote it. */
   readonly planner = $derived.by<OwnPlanner | null>(() => (isOwn(this.lab.setup.planner) ? this.lab.setup.planner : null))
@@ -92,7 +94,7 @@ export class Workshop {
     if (this.text !== '') return
     const { planner } = this
     this.text = planner?.code ?? recall(DRAFT) ?? first
-    if (planner) this.foreign = this.lab.own.isForeign(planner.code)
+    if (planner) this.foreign = this.lab.own.foreign.has(planner.code)
   }
 
   /** Puts a code into the editor. `run`: it runs at once. What was there is kept. */
@@ -105,7 +107,7 @@ export class Workshop {
     remember(FOREIGN, foreign ? 'yes' : 'no')
     this.save(code)
     this.refused = null
-    if (run) void this.run()
+    if (run) void this.apply()
   }
 
   private save(code: string): void {
@@ -120,33 +122,44 @@ export class Workshop {
   write = (code: string): void => {
     if (code === this.text) return
     this.save(code)
-    if (this.auto) this.timer = setTimeout(() => void this.run(), PAUSE)
+    if (this.auto) this.timer = setTimeout(() => void this.apply(), PAUSE)
   }
 
   setAuto = (auto: boolean): void => {
     this.auto = auto
     remember('workshop.auto', auto ? 'yes' : 'no')
     clearTimeout(this.timer)
-    if (auto && !this.current) void this.run()
+    if (auto && !this.current) void this.apply()
   }
 
   /** With or without an interpreter. */
   setFullSpeed = (full: boolean): void => {
     this.lab.own.full = full
-    void this.run()
+    void this.apply()
   }
 
-  /** Reads the code and runs its planner: where the run is, if it is one of the same name. */
+  /** Runs the code, from where the run is. */
   run = async (): Promise<void> => {
+    const brings = this.lab.own.pending?.code === this.text
+    await this.apply()
+    // Pressed, it goes on, or begins again where it is over; what came with a link stands where that says.
+    if (this.refused === null && !brings) this.lab.playback.play()
+  }
+
+  /** Reads the code and shows its planner: where the run is, if it is one of the same name. */
+  private async apply(): Promise<void> {
     clearTimeout(this.timer)
     this.request += 1
     const { request, text } = this
     this.reading = true
-    const answer = await this.lab.own.read(text, this.lab.own.full && !this.foreign).catch(unlessGone)
+    const full = this.lab.own.full && !this.foreign
+    const runs = this.current && full === this.full
+    const answer = await this.lab.own.read(text, full).catch(unlessGone)
     if (request !== this.request) return
     this.reading = false
     this.refused = answer && !answer.ok ? problemOf(answer.refusal) : null
-    if (!answer?.ok) return
+    if (!answer?.ok || runs) return
+    this.full = full
     const { pending } = this.lab.own
     this.lab.own.pending = null
     // It came with a run.

@@ -34,11 +34,14 @@ const NUMBERS = [Float64Array, Float32Array, Int32Array, Uint32Array, Int16Array
 const isNumbers = (value) => NUMBERS.some((kind) => value instanceof kind)
 
 const nameOf = (value) =>
-  value === null ? 'null' : Array.isArray(value) ? 'a list' : typeof value === 'object' ? 'an object' : `a ${typeof value}`
+  value === undefined ? 'undefined' : value === null ? 'null' : Array.isArray(value) ? 'a list' : typeof value === 'object' ? 'an object' : `a ${typeof value}`
 
 function numbersOf(what, list) {
   if (!Array.isArray(list) && !isNumbers(list)) throw new TypeError(`${what} takes a list of numbers, not ${nameOf(list)}`)
-  return Float64Array.from(list)
+  const numbers = Float64Array.from(list)
+  const wrong = numbers.findIndex(Number.isNaN)
+  if (wrong >= 0) throw new TypeError(`${what}: number ${wrong} is not a number (NaN): was it computed from something that has no value?`)
+  return numbers
 }
 
 function pointsOf(what, points) {
@@ -48,6 +51,7 @@ function pointsOf(what, points) {
     if (point?.length !== 2) throw new TypeError(`${what}: point ${k} is no [x, y]`)
     out[2 * k] = point[0]
     out[2 * k + 1] = point[1]
+    if (Number.isNaN(out[2 * k] + out[2 * k + 1])) throw new TypeError(`${what}: point ${k} is not a number (NaN)`)
   }
   return out
 }

@@ -26,6 +26,7 @@ import { answer, silently, within } from './answers'
 import { breathe } from './pace'
 import type { States } from './own'
 import type { RunHost } from './run-host'
+import { rest } from './rest'
 import { carried, prepared } from './setups'
 
 type Values = Record<string, ParameterValue>
@@ -115,7 +116,10 @@ export function questionsTo(host: RunHost) {
     /** `code`: of the link's planner, if it is nobody else's. */
     async parseLink(link: string, code?: string): Promise<Answer<LinkSetup>> {
       const plain = await prepared({ planner: '', scene: '', code })
-      return plain.ok ? answer(() => parseLink(link)) : plain
+      if (!plain.ok) return plain
+      // What reads links needs no words, unless it refuses one.
+      await (await rest()).loadCode('links').catch(() => undefined)
+      return silently(() => parseLink(link))
     },
     newSeed: async (): Promise<number> => newSeed(),
   }

@@ -29,7 +29,7 @@ async function open({ core, files }: ToHost & { is: 'open' }): Promise<void> {
 
 async function bringLinks(): Promise<void> {
   try {
-    await (await rest()).load('links')
+    await (await rest()).loadCode('links')
     host.link()
   } catch {
     setTimeout(() => void bringLinks(), RETRY)

@@ -24,9 +24,14 @@ async function take(lab: Lab, files: NamedFile[], problem?: number): Promise<voi
   if (notes.length > 0 || problems.length > 1) lab.scene.imported = { files, notes, problems, problem: problem ?? problems.length - 1 }
 }
 
-/** Scenes and maps, each of one file or of two that belong together. */
-export async function importFiles(lab: Lab, files: Iterable<File>): Promise<void> {
+/** Scenes and maps, each of one file or of two that belong together; the code of a planner, where such code can be edited. */
+export async function importFiles(lab: Lab, files: Iterable<File>, code = false): Promise<void> {
   const given = [...files]
+  const [first] = given
+  if (code && first && /\.m?js$/i.test(first.name)) {
+    await (await import('../workshop/open-code')).openCode(lab, first)
+    return
+  }
   let named: NamedFile[] | null
   try {
     named = await lab.scene.ask(() => Promise.all(given.map(read)))

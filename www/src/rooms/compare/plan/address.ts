@@ -1,6 +1,6 @@
 import type { Catalogue, ParameterValue, Scene } from 'forage-lab'
 import type { Questions } from '../../../engine/host/questions'
-import { packedOf } from '../../../stores/own.svelte'
+import { packedOf } from '../../../stores/own-code'
 import type { Made, Maps } from '../../../engine/trial.protocol'
 import { contendersOf, contendersText, decoded, named, shippedText, wholeIn } from '../address'
 import { type Budget, COUNT, MOST_BUDGET, MOST_ENTRANTS, type Plan } from './plan'

@@ -10,6 +10,8 @@ import type { ProposedComparison, Sight } from '../../../stores/proposed.svelte'
 import { SIGHTS } from '../../../stores/proposed.svelte'
 import { sceneIn } from '../address'
 import { StatisticsWorker } from '../statistics/statistics-worker'
+import { codeOf } from '../../../catalogue/own'
+import { admitAll } from '../../../stores/own-code'
 import { CODES, planKeys, planOf } from './address'
 import { applicable, type Budget, COUNT, type Entrant, freeSlot, MOST_ENTRANTS, type Plan, planFor } from './plan'
 import { offered, type Preset } from './presets'
@@ -54,6 +56,17 @@ export class Comparison {
 
   constructor(private readonly lab: Lab) {}
 
+  /** The codes of planners that somebody wrote. */
+  private get codes(): string {
+    const planners = this.lab.setup.catalogue?.planners ?? []
+    return planners
+      .filter(({ name }) => this.entrants.some(({ planner }) => planner === name))
+      .map((planner) => codeOf(planner).code ?? '')
+      .join()
+  }
+  /** Those that the plan was made with. */
+  private ranWith = ''
+
   readonly tasks = $derived.by(() => (this.scene ? tasksOn(this.lab.setup.catalogue, this.scene) : []))
   readonly task = $derived.by<Task>(() => (this.tasks.includes(this.chosen) ? this.chosen : (this.tasks[0] ?? 'path')))
   readonly plan = $derived<Plan | null>(
@@ -93,6 +106,7 @@ export class Comparison {
   begin(): void {
     const { catalogue } = this.lab.setup
     const { present } = this.lab.scene
+    if (this.scene && !this.opening && this.codes !== this.ranWith) this.changed()
     if (this.scene || this.opening || !catalogue || !present) return
     const before = remembered(catalogue)
     const [ready] = offered(catalogue)
@@ -149,8 +163,15 @@ export class Comparison {
   }
 
   /** What another room proposes becomes the plan. */
-  propose = ({ as, scene, planners, seeds, budget = 'own' }: ProposedComparison): void => {
+  propose = ({ as, scene, planners, seeds, budget = 'own', adds = false }: ProposedComparison): void => {
     this.as = as
+    const [first] = planners
+    // Whoever was chosen to compare it with stays.
+    if (adds && first && scene === this.scene && this.entrants.some(({ planner }) => planner === first.planner)) {
+      this.entrants = this.entrants.map((entrant) => (entrant.planner === first.planner ? { ...entrant, params: first.params } : entrant))
+      this.changed()
+      return
+    }
     this.set(scene, { entrants: planners, ...seeds, budget })
   }
 
@@ -188,7 +209,7 @@ export class Comparison {
     const { api, own } = this.lab
     this.opening = true
     const codes = keys.get(CODES)?.split(',') ?? []
-    const admitted = await own.admitAll(codes.slice(0, MOST_ENTRANTS), addressOf(keys))
+    const admitted = await admitAll(own, codes.slice(0, MOST_ENTRANTS), addressOf(keys))
     if (admitted.ok && !admitted.value) {
       // Its codes are to be seen first.
       this.opening = false
@@ -363,6 +384,7 @@ export class Comparison {
   }
 
   private changed(): void {
+    this.ranWith = this.codes
     const { catalogue } = this.lab.setup
     if (this.plan && catalogue) remember(this.plan, catalogue)
     this.tell()

@@ -1,0 +1,100 @@
+import type { Catalogue, Layer, Planner } from 'forage-lab'
+import { isOwn, type OwnPlanner } from '../catalogue/own'
+import type { Answer } from '../engine/protocol'
+import { isShortened, restored } from './large-links'
+import type { Offer, OwnStore } from './own.svelte'
+import { recall } from './storage'
+
+/** Where the browser keeps what is in the editor. */
+export const DRAFT = 'workshop'
+
+const CODE = '&page.code='
+
+/** Codes of planners, as addresses of several have them. */
+export const packedOf = (planners: readonly Planner[]): string[] =>
+  planners.flatMap((planner) => (isOwn(planner) && planner.packed !== null ? planner.packed.slice(CODE.length) : []))
+
+/** What an author says of a code: the comment that it begins with. */
+export function noteOf(code: string): string {
+  const [comment = ''] = /^\s*(?:\/\/[^\n]*(?:\n|$)\s*|\/\*[\s\S]*?\*\/\s*)+/.exec(code) ?? []
+  return comment
+    .split('\n')
+    .map((line) => line.replace(/^\s*(?:\/\/+|\/\*+|\*+\/|\*+)\s?/, '').replace(/\s*\*+\/\s*$/, ''))
+    .join('\n')
+    .trim()
+}
+
+/** The look of layers that no planner of the catalogue has. */
+const OTHERWISE = 'particles'
+
+/** As the catalogue has planners: its layers look as those of the same name do elsewhere. */
+function ownPlanner({ planners }: Catalogue, described: Planner, of: Pick<OwnPlanner, 'code' | 'packed' | 'full'>): OwnPlanner {
+  const known = planners.filter((planner) => !isOwn(planner)).flatMap(({ layers }) => layers)
+  const lookOf = (role: string): Layer['look'] | undefined => known.find((layer) => layer.role === role)?.look
+  const layers = described.layers.flatMap((layer): Layer[] => {
+    const look = lookOf(layer.role) ?? lookOf(OTHERWISE)
+    return look ? [{ ...layer, look } as Layer] : []
+  })
+  return { ...described, layers, ...of }
+}
+
+/** Reads a code in the run's thread, unless it was read before, and puts its planner into the catalogue. */
+export async function readCode(own: OwnStore, code: string, full: boolean): Promise<Answer<OwnPlanner>> {
+  own.seen.add(code)
+  const known = own.planners.get(code)
+  if (known) {
+    known.full = full
+    own.put(known)
+    return { ok: true, value: known }
+  }
+  const answer = await own.api.read(code)
+  const { catalogue } = own.setup
+  if (!answer.ok) return answer
+  if (!catalogue) return { ok: false, refusal: { message: 'there is no catalogue', field: '' } }
+  const { planner: described, packed } = answer.value
+  const planner = ownPlanner(catalogue, described, { code, packed, full })
+  own.planners.set(code, planner)
+  own.put(planner)
+  return { ok: true, value: planner }
+}
+
+/** Whether a link's run may begin. A code that the user has not seen is offered first. */
+export const admitLink = async (own: OwnStore, link: string): Promise<Answer<boolean>> =>
+  admitCode(own, isShortened(link) ? await restored(link) : link, link)
+
+/** The same of an address with several codes, as links have them. */
+export async function admitAll(own: OwnStore, packed: readonly string[], address: string): Promise<Answer<boolean>> {
+  for (const one of packed) {
+    const admitted = await admitCode(own, `#${CODE}${one}`, address)
+    if (!admitted.ok || !admitted.value) return admitted
+  }
+  return { ok: true, value: true }
+}
+
+/** The code in `carrier`, which came with a link. */
+async function admitCode(own: OwnStore, carrier: string, link: string): Promise<Answer<boolean>> {
+  const answer = await own.api.codeIn(carrier)
+  if (!answer.ok) return answer
+  const code = answer.value
+  if (code === null) return { ok: true, value: true }
+  if (!own.seen.has(code) && code !== recall(DRAFT)) {
+    own.offer = { code, link, file: null }
+    return { ok: true, value: false }
+  }
+  const read = await own.read(code)
+  return read.ok ? { ok: true, value: true } : read
+}
+
+/** The offered code may run from now on. */
+export function accept(own: OwnStore, { code }: Offer): void {
+  own.seen.add(code)
+  own.foreign.add(code)
+  own.offer = null
+}
+
+/** It is looked at where it can be changed. */
+export function edit(own: OwnStore, offer: Offer): void {
+  own.foreign.add(offer.code)
+  own.pending = offer
+  own.offer = null
+}
