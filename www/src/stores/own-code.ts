@@ -38,8 +38,8 @@ function ownPlanner({ planners }: Catalogue, described: Planner, of: Pick<OwnPla
   return { ...described, layers, ...of }
 }
 
-/** Reads a code in the run's thread, unless it was read before, and puts its planner into the catalogue. */
-export async function readCode(own: OwnStore, code: string, full: boolean): Promise<Answer<OwnPlanner>> {
+/** Reads a code in the run's thread, unless it was read before, and puts its planner into the catalogue. `full`: it runs without an interpreter. */
+export async function readCode(own: OwnStore, code: string, full = false): Promise<Answer<OwnPlanner>> {
   own.seen.add(code)
   const known = own.planners.get(code)
   if (known) {
@@ -81,7 +81,7 @@ async function admitCode(own: OwnStore, carrier: string, link: string): Promise<
     own.offer = { code, link, file: null }
     return { ok: true, value: false }
   }
-  const read = await own.read(code)
+  const read = await readCode(own, code)
   return read.ok ? { ok: true, value: true } : read
 }
 

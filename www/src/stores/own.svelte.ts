@@ -1,6 +1,5 @@
 import type { Catalogue } from 'forage-lab'
 import { isOwn, type OwnPlanner, withPlanner } from '../catalogue/own'
-import type { Answer } from '../engine/protocol'
 import type { Questions } from '../engine/host/questions'
 
 /** A code that somebody else brings, by a link or a file: nothing of it runs before the user has seen it. */
@@ -14,7 +13,7 @@ export interface Offer {
 /** A link brings the code of its planner. */
 export const carriesCode = (link: string): boolean => link.includes('&page.code=')
 
-/** Planners that somebody wrote: in the catalogue as soon as their code was read. What reads codes comes with the first one. */
+/** Planners that somebody wrote: in the catalogue as soon as their code was read, which `own-code` does. */
 export class OwnStore {
   /** By their codes. */
   readonly planners = new Map<string, OwnPlanner>()
@@ -32,9 +31,6 @@ export class OwnStore {
     readonly api: Questions,
     readonly setup: { catalogue: Catalogue | null },
   ) {}
-
-  /** Reads a code in the run's thread: its planner is in the catalogue then. `full`: it runs without an interpreter. */
-  read = async (code: string, full = false): Promise<Answer<OwnPlanner>> => (await import('./own-code')).readCode(this, code, full)
 
   /** Puts a planner into the catalogue, in the place of another one of its name. */
   put(planner: OwnPlanner): void {

@@ -9,7 +9,7 @@ import type { Variable } from '../text/variables'
 import { changes } from '../text/variables'
 import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
-import { DRAFT } from './own-code'
+import { DRAFT, readCode } from './own-code'
 import { unlessGone } from './questions'
 import { recall, remember } from './storage'
 
@@ -154,7 +154,7 @@ export class Workshop {
     this.reading = true
     const full = this.lab.own.full && !this.foreign
     const runs = this.current && full === this.full
-    const answer = await this.lab.own.read(text, full).catch(unlessGone)
+    const answer = await readCode(this.lab.own, text, full).catch(unlessGone)
     if (request !== this.request) return
     this.reading = false
     this.refused = answer && !answer.ok ? problemOf(answer.refusal) : null

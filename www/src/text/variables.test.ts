@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { changes } from './variables'
 
-test('what an iteration changed is told by where it is', () => {
+test('changes are listed by where they are', () => {
   const before = { x: [1, 2], cost: 3, name: 'a', gone: true, deep: { list: [{ y: 0.5 }] } }
   const now = { x: [1, 2.5, 4], cost: 3, name: 'b', deep: { list: [{ y: 0.5 }] }, best: null }
   expect(changes(before, now)).toEqual({

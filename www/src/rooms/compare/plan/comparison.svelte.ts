@@ -166,7 +166,7 @@ export class Comparison {
   propose = ({ as, scene, planners, seeds, budget = 'own', adds = false }: ProposedComparison): void => {
     this.as = as
     const [first] = planners
-    // Whoever was chosen to compare it with stays.
+    // The planners that it is compared with stay.
     if (adds && first && scene === this.scene && this.entrants.some(({ planner }) => planner === first.planner)) {
       this.entrants = this.entrants.map((entrant) => (entrant.planner === first.planner ? { ...entrant, params: first.params } : entrant))
       this.changed()
