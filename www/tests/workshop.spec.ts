@@ -174,7 +174,7 @@ test('help while typing comes from the contract', async ({ page }) => {
 })
 
 test('a link shows the code and its note before it runs', async ({ lab, page }) => {
-  await opened(page, CLIMBER)
+  await opened(page, `${CLIMBER}// theirs`)
   await run(page)
   await page.getByTestId('play').click()
   const hash = await lab.seek(30)
@@ -202,6 +202,14 @@ test('a link shows the code and its note before it runs', async ({ lab, page }) 
   // What somebody else wrote never runs at full speed.
   await page.getByTestId('view-workshop').click()
   await expect(page.getByTestId('editor')).toContainText('my-hill-climber')
+  await expect(page.getByTestId('full-speed')).toBeDisabled()
+  // Neither when it comes back later.
+  await pick(page, 'template', 'pso')
+  await expect(page.getByTestId('full-speed')).toBeEnabled()
+  await page.getByTestId('editor').click()
+  await page.keyboard.press('Control+z')
+  await expect(page.getByTestId('editor')).toContainText('my-pso')
+  await pick(page, 'template', 'last')
   await expect(page.getByTestId('full-speed')).toBeDisabled()
 })
 

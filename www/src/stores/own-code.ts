@@ -7,6 +7,8 @@ import { recall } from './storage'
 
 /** Where the browser keeps what is in the editor. */
 export const DRAFT = 'workshop'
+/** Whether that is somebody else's. */
+export const FOREIGN = 'workshop.foreign'
 
 const CODE = '&page.code='
 
@@ -77,7 +79,8 @@ async function admitCode(own: OwnStore, carrier: string, link: string): Promise<
   if (!answer.ok) return answer
   const code = answer.value
   if (code === null) return { ok: true, value: true }
-  if (!own.seen.has(code) && code !== recall(DRAFT)) {
+  const isMine = code === recall(DRAFT) && recall(FOREIGN) !== 'yes'
+  if (!own.seen.has(code) && !isMine) {
     own.offer = { code, link, file: null }
     return { ok: true, value: false }
   }

@@ -9,14 +9,14 @@ import type { Variable } from '../text/variables'
 import { changes } from '../text/variables'
 import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
-import { DRAFT, readCode } from './own-code'
+import { DRAFT, FOREIGN, readCode } from './own-code'
 import { unlessGone } from './questions'
 import { recall, remember } from './storage'
 
 /** Where the browser keeps what was in the editor before. */
 const LAST = 'workshop.last'
 /** Whether that is somebody else's. */
-const FOREIGN = 'workshop.foreign'
+const LAST_FOREIGN = 'workshop.last.foreign'
 /** After so many milliseconds without a key the code is run. */
 const PAUSE = 700
 
@@ -97,11 +97,17 @@ export class Workshop {
     if (planner) this.foreign = this.lab.own.foreign.has(planner.code)
   }
 
+  /** Puts the code of before into the editor. */
+  restoreLast = (): void => {
+    if (this.last) this.setCode(this.last, true, recall(LAST_FOREIGN) === 'yes')
+  }
+
   /** Puts a code into the editor. `run`: it runs at once. What was there is kept. */
   setCode(code: string, run: boolean, foreign = false): void {
     if (this.text !== code && this.text !== '') {
       this.last = this.text
       remember(LAST, this.text)
+      remember(LAST_FOREIGN, this.foreign ? 'yes' : 'no')
     }
     this.foreign = foreign
     remember(FOREIGN, foreign ? 'yes' : 'no')

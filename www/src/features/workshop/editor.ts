@@ -12,7 +12,7 @@ import {
 } from '@codemirror/language'
 import { type Diagnostic, lintGutter, setDiagnostics } from '@codemirror/lint'
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search'
-import { Compartment, type EditorState, type Extension } from '@codemirror/state'
+import { Compartment, EditorState, type Extension } from '@codemirror/state'
 import {
   drawSelection,
   EditorView,
@@ -120,10 +120,12 @@ function diagnosticOf({ doc }: EditorState, { message, line, column, meaning }: 
 export class Editor {
   private readonly view: EditorView
   private readonly theme = new Compartment()
+  private readonly extensions: (dark: boolean) => Extension[]
+  private dark: boolean
 
   constructor(parent: HTMLElement, { text, label, dark, onchange, onrun }: Options) {
     const root = parent.shadowRoot ?? parent.attachShadow({ mode: 'open' })
-    const extensions = [
+    this.extensions = (now) => [
       lineNumbers(),
       foldGutter(),
       lintGutter(),
@@ -166,18 +168,23 @@ export class Editor {
       EditorView.updateListener.of(({ docChanged, state }) => {
         if (docChanged) onchange(state.doc.toString())
       }),
-      this.theme.of(looks(dark)),
+      this.theme.of(looks(now)),
     ]
-    this.view = new EditorView({ doc: text, extensions, parent: root, root })
+    this.dark = dark
+    this.view = new EditorView({ state: this.stateOf(text), parent: root, root })
   }
 
-  /** Another text. What was there can be brought back by undoing. */
+  private stateOf(doc: string): EditorState {
+    return EditorState.create({ doc, extensions: this.extensions(this.dark) })
+  }
+
+  /** Another text. Undoing does not lead back: what was there may be somebody else's. */
   put(text: string): void {
-    const { doc } = this.view.state
-    if (doc.toString() !== text) this.view.dispatch({ changes: { from: 0, to: doc.length, insert: text } })
+    if (this.view.state.doc.toString() !== text) this.view.setState(this.stateOf(text))
   }
 
   setDark(dark: boolean): void {
+    this.dark = dark
     this.view.dispatch({ effects: this.theme.reconfigure(looks(dark)) })
   }
 
