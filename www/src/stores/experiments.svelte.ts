@@ -1,6 +1,6 @@
 import type { RunSetup } from '../catalogue/own'
 import type { Scene } from 'forage-lab'
-import type { Flat } from '../render/view'
+import { extent, type Flat } from '../render/view'
 import { sameScene } from '../scene/equality'
 import { type History, historyOf } from './curve'
 import type { PlaybackStore } from './playback.svelte'
@@ -9,7 +9,7 @@ import type { RunStore } from './run.svelte'
 /** What a run had shown when it was left. */
 export interface Ghost {
   curve: History
-  /** In space, the tip's. */
+  /** In space, the tip's; of a function, a mark around the best position. */
   path: readonly Flat[] | null
   /** The length of the result, or what it cost. */
   value: number | null
@@ -20,6 +20,24 @@ export interface Experiment {
   setup: RunSetup
   iteration: number
   ghost: Ghost | null
+}
+
+/** As a part of the scene's side. */
+const MARK = 0.02
+
+/** A diamond around a position. */
+function markAt(position: readonly number[] | undefined, scene: Scene): Flat[] | null {
+  if (!position) return null
+  const [x = 0, y = 0] = position
+  const { min, max } = extent(scene)
+  const [a, b] = [MARK * (max[0] - min[0]), MARK * (max[1] - min[1])]
+  return [
+    [x, y - b],
+    [x + a, y],
+    [x, y + b],
+    [x - a, y],
+    [x, y - b],
+  ]
 }
 
 /** More of them nobody goes back. */
@@ -106,7 +124,7 @@ export class ExperimentsStore {
     const ghost = !stale &&
       iteration > 0 && {
         curve: historyOf(run.course.curve),
-        path: outcome?.tip_path ?? outcome?.path ?? null,
+        path: outcome?.tip_path ?? outcome?.path ?? markAt(outcome?.position, run.present.scene),
         value: outcome?.length ?? outcome?.cost ?? null,
       }
     return { setup: current, iteration: playback.restarting ? playback.requested.at : iteration, ghost: ghost || null }

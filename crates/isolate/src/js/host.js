@@ -286,7 +286,8 @@ export function hostOf(planner, layers, lend) {
       if (said === undefined || said === null) return null
       const { title, summary, values } = typeof said === 'object' ? said : { summary: said }
       const numbers = Object.entries(values ?? {}).filter(([, value]) => typeof value === 'number')
-      return [textOf(title) || `${layer} ${index + 1}`, textOf(summary), numbers]
+      const named = textOf(planner.layers?.find(({ name }) => name === layer)?.title) || layer
+      return [textOf(title) || `${named} ${index + 1}`, textOf(summary), numbers]
     },
     copy(id) {
       const { state, tools } = states.get(id)
