@@ -174,7 +174,7 @@ test('help while typing comes from the contract', async ({ page }) => {
 })
 
 test('a link shows the code and its note before it runs', async ({ lab, page }) => {
-  await opened(page, `${CLIMBER}// theirs`)
+  await opened(page, CLIMBER.replace("title: 'Hill climber'", "title: 'Theirs'"))
   await run(page)
   await page.getByTestId('play').click()
   const hash = await lab.seek(30)
@@ -202,6 +202,9 @@ test('a link shows the code and its note before it runs', async ({ lab, page }) 
   // What somebody else wrote never runs at full speed.
   await page.getByTestId('view-workshop').click()
   await expect(page.getByTestId('editor')).toContainText('my-hill-climber')
+  await expect(page.getByTestId('full-speed')).toBeDisabled()
+  await page.reload()
+  await expect(page.getByTestId('editor')).toContainText("title: 'Theirs'")
   await expect(page.getByTestId('full-speed')).toBeDisabled()
   // Neither when it comes back later.
   await pick(page, 'template', 'pso')

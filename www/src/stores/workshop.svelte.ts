@@ -93,8 +93,9 @@ export class Workshop {
   initialize(first: string): void {
     if (this.text !== '') return
     const { planner } = this
-    this.text = planner?.code ?? recall(DRAFT) ?? first
-    if (planner) this.foreign = this.lab.own.foreign.has(planner.code)
+    this.text = recall(DRAFT) ?? first
+    // What was written here before is kept.
+    if (planner) this.setCode(planner.code, false, this.lab.own.foreign.has(planner.code))
   }
 
   /** Puts the code of before into the editor. */
