@@ -4,4 +4,5 @@ import { ready, Session } from '../../pkg/page.js'
 import { attack } from '../hostile.mjs'
 
 await ready(() => new Session({ planner: 'pso', scene: 'sphere-2' }).free())
-postMessage(JSON.stringify(await attack({ registerCode, Session })))
+const found = await attack({ registerCode, Session, ontry: (trying) => postMessage({ trying: trying.slice(0, 300) }) })
+postMessage({ attacked: JSON.stringify(found) })

@@ -6,29 +6,42 @@ import { chromium, ENGINES } from './support/engines.mjs'
 import { staticHost } from './support/static.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
-const PATIENCE = 240_000
+/** As long as all of it may take, in milliseconds: it takes about 35 s. */
+const PATIENCE = 120_000
+/** An engine that stops answering on a busy machine is started once more: a code that stops it does so again. */
+const ATTEMPTS = 2
 
 const server = staticHost(ROOT)
 before(() => new Promise((listening) => server.listen(0, '127.0.0.1', listening)))
 after(() => server.close())
 
-for (const [name, start] of Object.entries({ chromium, ...ENGINES })) {
-  test(`hostile code stays inside: ${name}`, async () => {
-    const browser = await start()
-    try {
-      await browser.open(`http://127.0.0.1:${server.address().port}/tests/support/hostile.html`)
-      const began = Date.now()
-      let found
-      while (!found && Date.now() - began < PATIENCE) {
-        await new Promise((passed) => setTimeout(passed, 500))
-        found = await browser.run(() => globalThis.attacked ?? null)
-      }
-      assert.ok(found, 'it comes to an end')
-      const { wrong, attacks } = JSON.parse(found)
-      assert.deepEqual(wrong, [])
-      assert.ok(attacks > 60, `${attacks} codes`)
-    } finally {
-      await browser.close()
+/** What the suite found in an engine, or which code it was at when time was up. */
+async function attacked(start) {
+  const browser = await start()
+  try {
+    await browser.open(`http://127.0.0.1:${server.address().port}/tests/support/hostile.html`)
+    const began = Date.now()
+    let seen = {}
+    while (!seen.attacked && Date.now() - began < PATIENCE) {
+      await new Promise((passed) => setTimeout(passed, 500))
+      seen = await browser.run(() => ({ attacked: globalThis.attacked, trying: globalThis.trying }))
     }
+    return seen
+  } finally {
+    await browser.close()
+  }
+}
+
+for (const [name, start] of Object.entries({ chromium, ...ENGINES })) {
+  test(`hostile code stays inside: ${name}`, async (context) => {
+    let seen = {}
+    for (let attempt = 0; attempt < ATTEMPTS && !seen.attacked; attempt += 1) {
+      seen = await attacked(start)
+      if (!seen.attacked) context.diagnostic(`no end after ${PATIENCE} ms, at: ${seen.trying}`)
+    }
+    assert.ok(seen.attacked, `it comes to an end; it was at: ${seen.trying}`)
+    const { wrong, attacks } = JSON.parse(seen.attacked)
+    assert.deepEqual(wrong, [])
+    assert.ok(attacks > 60, `${attacks} codes`)
   })
 }

@@ -39,8 +39,9 @@ const nameOf = (value) =>
 function numbersOf(what, list) {
   if (!Array.isArray(list) && !isNumbers(list)) throw new TypeError(`${what} takes a list of numbers, not ${nameOf(list)}`)
   const numbers = Float64Array.from(list)
-  const wrong = numbers.findIndex(Number.isNaN)
-  if (wrong >= 0) throw new TypeError(`${what}: number ${wrong} is not a number (NaN): was it computed from something that has no value?`)
+  for (let k = 0; k < numbers.length; k += 1)
+    if (numbers[k] !== numbers[k])
+      throw new TypeError(`${what}: number ${k} is not a number (NaN): was it computed from something that has no value?`)
   return numbers
 }
 
