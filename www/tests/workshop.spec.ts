@@ -299,6 +299,46 @@ test('at full speed, after a question, the bits are the same, and an endless loo
   await expect(page.getByTestId('full-speed')).not.toBeChecked()
 })
 
+test('pasted code runs in the interpreter, and what came from elsewhere stays so', async ({ page }) => {
+  const pasted = async (code: string): Promise<void> => {
+    await page.getByTestId('editor').evaluate((editor, text) => {
+      const clipboardData = new DataTransfer()
+      clipboardData.setData('text/plain', text)
+      editor.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }))
+    }, code)
+  }
+  const full = page.getByTestId('full-speed')
+  const atFullSpeed = async (): Promise<void> => {
+    await full.click()
+    await page.getByTestId('full-speed-yes').click()
+    await expect(full).toBeChecked()
+  }
+  await opened(page, CLIMBER)
+  await page.getByTestId('code-file').setInputFiles({ name: 'swarm.js', mimeType: 'text/javascript', buffer: Buffer.from(template('pso')) })
+  await page.getByTestId('offer-run').click()
+  await expect(page.getByTestId('editor')).toContainText('my-pso')
+
+  await pick(page, 'template', 'hill-climber')
+  await atFullSpeed()
+  const part =
+    'for (const one of particles) one.velocity = one.velocity.map((v, i) => w * v + c1 * random() * (one.best[i] - one.position[i]))'
+  await page.getByTestId('editor').click()
+  await pasted(`/* ${part} */`)
+  await expect(full).not.toBeChecked()
+  await expect(page.getByTestId('notice')).toContainText('Code was pasted')
+  // Copied here it is one's own.
+  await atFullSpeed()
+  await expect(page.getByTestId('notice')).toBeHidden()
+  await pasted(`/* ${part} */`)
+  await expect(full).toBeChecked()
+
+  await page.keyboard.press('Control+a')
+  await pasted(`${template('pso')}\n`)
+  await expect(full).toBeDisabled()
+  await expect(full).not.toBeChecked()
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+})
+
 test('a task asks for a planner that is written for it', async ({ lab, page }) => {
   const lesson = {
     format: 'forage-lesson',

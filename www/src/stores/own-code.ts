@@ -61,20 +61,20 @@ export async function readCode(own: OwnStore, code: string, full = false): Promi
 }
 
 /** Whether a link's run may begin. A code that the user has not seen is offered first. */
-export const admitLink = async (own: OwnStore, link: string): Promise<Answer<boolean>> =>
-  admitCode(own, isShortened(link) ? await restored(link) : link, link)
+export const mayOpenLink = async (own: OwnStore, link: string): Promise<Answer<boolean>> =>
+  mayRunCode(own, isShortened(link) ? await restored(link) : link, link)
 
 /** The same of an address with several codes, as links have them. */
-export async function admitAll(own: OwnStore, packed: readonly string[], address: string): Promise<Answer<boolean>> {
+export async function mayOpenAll(own: OwnStore, packed: readonly string[], address: string): Promise<Answer<boolean>> {
   for (const one of packed) {
-    const admitted = await admitCode(own, `#${CODE}${one}`, address)
-    if (!admitted.ok || !admitted.value) return admitted
+    const allowed = await mayRunCode(own, `#${CODE}${one}`, address)
+    if (!allowed.ok || !allowed.value) return allowed
   }
   return { ok: true, value: true }
 }
 
 /** The code in `carrier`, which came with a link. */
-async function admitCode(own: OwnStore, carrier: string, link: string): Promise<Answer<boolean>> {
+async function mayRunCode(own: OwnStore, carrier: string, link: string): Promise<Answer<boolean>> {
   const answer = await own.api.codeIn(carrier)
   if (!answer.ok) return answer
   const code = answer.value

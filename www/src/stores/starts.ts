@@ -62,9 +62,9 @@ export class Starts {
     this.opening += 1
     const read = this.awaited.add(
       async () => {
-        const admitted = carriesCode(link) ? await (await import('./own-code')).admitLink(this.stores.own, link) : null
-        if (admitted?.ok === false) return admitted
-        if (admitted?.value === false) return null
+        const allowed = carriesCode(link) ? await (await import('./own-code')).mayOpenLink(this.stores.own, link) : null
+        if (allowed?.ok === false) return allowed
+        if (allowed?.value === false) return null
         return this.stores.api.parseLink(isShortened(link) ? await restored(link) : link)
       },
       (answer) => {

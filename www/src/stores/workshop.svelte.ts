@@ -1,6 +1,6 @@
 import type { OwnPlanner } from '../catalogue/own'
 import { isOwn } from '../catalogue/own'
-import { EXPLANATIONS } from '../locales/en/workshop'
+import { EXPLANATIONS, workshop as text } from '../locales/en/workshop'
 import { Aborted, pool } from '../engine/pool'
 import type { Answer, Line, Refusal } from '../engine/protocol'
 import type { Conformance } from '../engine/trial.protocol'
@@ -19,6 +19,9 @@ const LAST = 'workshop.last'
 const LAST_FOREIGN = 'workshop.last.foreign'
 /** After so many milliseconds without a key the code is run. */
 const PAUSE = 700
+
+/** So many characters that were pasted may be a planner. */
+const SHORT = 80
 
 /** What is wrong with a code, and where: lines from 1. */
 export interface Problem {
@@ -125,11 +128,25 @@ export class Workshop {
     remember(DRAFT, code)
   }
 
-  /** The code was changed. */
-  write = (code: string): void => {
+  /** The code was changed. `brought`: what was pasted of that. */
+  write = (code: string, brought = ''): void => {
     if (code === this.text) return
+    this.checkOrigin(code, brought)
     this.save(code)
     if (this.auto) this.timer = setTimeout(() => void this.apply(), PAUSE)
+  }
+
+  /** What came from elsewhere stays foreign when it is pasted; of other pasted code only the user knows who wrote it. */
+  private checkOrigin(code: string, brought: string): void {
+    const { own, notices } = this.lab
+    const copied = brought.trim()
+    if ([...own.foreign].some((one) => one.trim() === code.trim() || (copied.length > SHORT && one.includes(copied)))) {
+      this.foreign = true
+      remember(FOREIGN, 'yes')
+    } else if (own.full && !this.foreign && copied.length > SHORT && !this.text.includes(copied)) {
+      own.full = false
+      notices.text = text.pasted
+    }
   }
 
   setAuto = (auto: boolean): void => {
@@ -142,6 +159,7 @@ export class Workshop {
   /** With or without an interpreter. */
   setFullSpeed = (full: boolean): void => {
     this.lab.own.full = full
+    if (this.lab.notices.text === text.pasted) this.lab.notices.text = ''
     void this.apply()
   }
 
@@ -157,11 +175,12 @@ export class Workshop {
   private async apply(): Promise<void> {
     clearTimeout(this.timer)
     this.request += 1
-    const { request, text } = this
+    const { request, text: code } = this
     this.reading = true
+    if (this.foreign) this.lab.own.foreign.add(code)
     const full = this.lab.own.full && !this.foreign
     const runs = this.current && full === this.full
-    const answer = await readCode(this.lab.own, text, full).catch(unlessGone)
+    const answer = await readCode(this.lab.own, code, full).catch(unlessGone)
     if (request !== this.request) return
     this.reading = false
     this.refused = answer && !answer.ok ? problemOf(answer.refusal) : null
@@ -170,7 +189,7 @@ export class Workshop {
     const { pending } = this.lab.own
     this.lab.own.pending = null
     // It came with a run.
-    if (pending?.link && pending.code === text) void this.lab.openLink(pending.link)
+    if (pending?.link && pending.code === code) void this.lab.openLink(pending.link)
     else this.lab.setup.runOwn(answer.value)
   }
 
@@ -211,13 +230,11 @@ export class Workshop {
     if (lines) this.lines = lines
   }
 
-  /** Asks what the last iteration changed. */
+  /** Asks what the last iteration changed. What is known stays until a run answers: one that begins has no state yet. */
   async loadVariables(): Promise<void> {
+    if (!this.planner) this.changed = null
     const answer = this.planner ? await this.lab.api.states().catch(unlessGone) : null
-    if (!answer?.ok || !answer.value) {
-      this.changed = null
-      return
-    }
+    if (!answer?.ok || !answer.value) return
     const { iteration, before, now } = answer.value
     this.changed = { iteration, ...changes(before, now) }
   }

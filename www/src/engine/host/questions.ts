@@ -27,7 +27,7 @@ import { breathe } from './pace'
 import type { States } from './own'
 import type { RunHost } from './run-host'
 import { rest } from './rest'
-import { carried, prepared } from './setups'
+import { codeInLinks, registered } from './setups'
 
 type Values = Record<string, ParameterValue>
 
@@ -71,7 +71,7 @@ export function questionsTo(host: RunHost) {
     /** What a planner is whose code this is, and the code as links have it; null where it is too long for one. */
     async read(code: string): Promise<Answer<{ planner: Planner; packed: string | null }>> {
       const own = await import('./own')
-      const link = await carried({ planner: '', scene: '', code })
+      const link = await codeInLinks({ planner: '', scene: '', code })
       return within(async () => ({ planner: (await own.loadPlanner(code)).described, packed: link.ok ? link.value : null }))
     },
     /** The code in a link; null where it has none. */
@@ -110,12 +110,12 @@ export function questionsTo(host: RunHost) {
     generateScene: (name: string, params: Values, seed: number): Promise<Answer<Scene>> =>
       answer(() => generateScene(name as GeneratorName, params, seed)),
     async suggest(setup: RunSetup): Promise<Answer<Suggestion | null>> {
-      const plain = await prepared(setup)
+      const plain = await registered(setup)
       return plain.ok ? silently(() => suggest(plain.value)) : plain
     },
     /** `code`: of the link's planner, if it is nobody else's. */
     async parseLink(link: string, code?: string): Promise<Answer<LinkSetup>> {
-      const plain = await prepared({ planner: '', scene: '', code })
+      const plain = await registered({ planner: '', scene: '', code })
       if (!plain.ok) return plain
       // What reads links needs no words, unless it refuses one.
       await (await rest()).loadCode('links').catch(() => undefined)

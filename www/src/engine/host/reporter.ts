@@ -1,4 +1,4 @@
-import type { Carried } from './setups'
+import type { CodeInLinks } from './setups'
 import { type Session, shapes } from 'forage-lab/core'
 import type { RunEvent, TrialCurve } from 'forage-lab'
 import type { Desired, Picture, Report, Run, Span } from '../protocol'
@@ -36,7 +36,7 @@ export class Reporter {
     private readonly session: Session,
     private readonly buffers: Buffers,
     readonly run: Run,
-    private readonly carried: Carried,
+    private readonly codeInLinks: CodeInLinks,
   ) {
     this.fresh = run
     this.span = run.span
@@ -157,7 +157,7 @@ export class Reporter {
       return { outcome: null, link: null, hash: null }
     const rare = {
       outcome: session.outcome(),
-      link: links && this.carried.ok ? session.link() + this.carried.value : null,
+      link: links && this.codeInLinks.ok ? session.link() + this.codeInLinks.value : null,
       hash: settled ? session.hash() : null,
     }
     this.lastOutcome = performance.now()

@@ -8,7 +8,7 @@ import { breathe, SLICE, step } from './pace'
 import { stepping } from './printing'
 import { Places } from './places'
 import { Reporter } from './reporter'
-import { type Carried, carried, prepared } from './setups'
+import { type CodeInLinks, codeInLinks, registered } from './setups'
 import { words } from './rest'
 
 const FRAME_INTERVAL = 1000 / 60
@@ -28,7 +28,7 @@ interface Present {
   session: Session
   places: Places
   reporter: Reporter
-  carried: Carried
+  codeInLinks: CodeInLinks
 }
 
 /**
@@ -88,8 +88,8 @@ export class RunHost {
 
   /** The present run's link: refused where its code is too long for one. */
   linkOf(session: Session): Answer<string> {
-    const { carried } = this.present ?? {}
-    return carried?.ok === false ? carried : { ok: true, value: session.link() + (carried?.value ?? '') }
+    const { codeInLinks } = this.present ?? {}
+    return codeInLinks?.ok === false ? codeInLinks : { ok: true, value: session.link() + (codeInLinks?.value ?? '') }
   }
 
   /** The number of the present run. */
@@ -220,12 +220,12 @@ export class RunHost {
     const { start } = this.desired
     const version = this.versions.start
     if (!start) return
-    const setup = await prepared(start.setup)
+    const setup = await registered(start.setup)
     const accepted = setup.ok && start.check ? await silently(() => suggest(setup.value)) : null
     if (accepted?.ok) this.send({ is: 'accepted', version })
     stepping(0)
     const made = !setup.ok ? setup : accepted?.ok === false ? accepted : await silently(() => new Session(setup.value))
-    const link = await carried(start.setup)
+    const link = await codeInLinks(start.setup)
     if (start !== this.desired.start) {
       // Another one is wanted meanwhile.
       if (made.ok) made.value.free()
@@ -246,7 +246,7 @@ export class RunHost {
     this.stale = this.news = true
   }
 
-  private presented(start: Start, session: Session, generation: number, carried: Carried): Present {
+  private presented(start: Start, session: Session, generation: number, codeInLinks: CodeInLinks): Present {
     const { planner, scene, seed, limit, parameters, evaluations } = session
     const run: Run = {
       generation,
@@ -264,8 +264,8 @@ export class RunHost {
       start,
       session,
       places: new Places(session, this.desired.clock),
-      reporter: new Reporter(session, this.buffers, run, carried),
-      carried,
+      reporter: new Reporter(session, this.buffers, run, codeInLinks),
+      codeInLinks,
     }
   }
 

@@ -7,7 +7,7 @@ import { from } from './files'
 import { causeOf, refusalOf } from './refusal'
 import { within } from './answers'
 import { breathe, SLICE } from './pace'
-import { carried, prepared } from './setups'
+import { codeInLinks, registered } from './setups'
 import type { Answer, Refusal } from '../protocol'
 import type { Answered, Conformance, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
 
@@ -82,9 +82,9 @@ const api = {
   /** Carries out a run to its end, or until `stop`. */
   async run({ setup, maps, seed, budget }: Errand): Promise<Ending> {
     stopped = false
-    const plain = await prepared(setup)
+    const plain = await registered(setup)
     if (!plain.ok) return { is: 'refused', refusal: plain.refusal }
-    const code = await carried(setup)
+    const code = await codeInLinks(setup)
     let trial: Trial
     try {
       await load('links')
@@ -122,7 +122,7 @@ const api = {
 
   /** What a run spends: evaluations before its first step, steps without any, those of the first step with some, and the most steps. */
   async spends(setup: RunSetup): Promise<Answer<{ start: number; idle: number; step: number; limit: number }>> {
-    const plain = await prepared(setup)
+    const plain = await registered(setup)
     if (!plain.ok) return plain
     let trial: Trial
     try {
@@ -149,7 +149,7 @@ const api = {
 
   /** What a planner does not keep to whose code this is, on a scene that ships. */
   async conform(code: string, scene: string | null): Promise<Answer<Conformance>> {
-    const plain = await prepared({ planner: '', scene: '', code })
+    const plain = await registered({ planner: '', scene: '', code })
     if (!plain.ok) return plain
     const [{ loadPlanner }, { conform }] = await Promise.all([import('./own'), import('forage-lab/testing')])
     return within(async () => {
@@ -161,7 +161,7 @@ const api = {
 
   /** What is wrong with a setup. */
   async check(setup: RunSetup): Promise<Refusal | null> {
-    const plain = await prepared(setup)
+    const plain = await registered(setup)
     if (!plain.ok) return plain.refusal
     try {
       await ready(() => suggest(plain.value))

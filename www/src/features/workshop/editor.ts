@@ -12,7 +12,7 @@ import {
 } from '@codemirror/language'
 import { type Diagnostic, lintGutter, setDiagnostics } from '@codemirror/lint'
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search'
-import { Compartment, EditorState, type Extension } from '@codemirror/state'
+import { Compartment, EditorState, type Extension, type Transaction } from '@codemirror/state'
 import {
   drawSelection,
   EditorView,
@@ -37,7 +37,8 @@ interface Options {
   text: string
   label: string
   dark: boolean
-  onchange(text: string): void
+  /** `brought`: what was pasted or dropped. */
+  onchange(text: string, brought: string): void
   onrun(): void
 }
 
@@ -54,7 +55,7 @@ const looks = (dark: boolean): Extension =>
     {
       '&': { height: '100%', color: 'var(--ink)', backgroundColor: 'var(--surface)', fontSize: '0.875rem' },
       '&.cm-focused': { outline: '2px solid var(--focus)', outlineOffset: '-2px' },
-      '.cm-scroller': { fontFamily: 'ui-monospace, "SF Mono", Menlo, Consolas, monospace', lineHeight: '1.5', scrollbarWidth: 'thin' },
+      '.cm-scroller': { fontFamily: 'var(--font-code)', lineHeight: '1.5', scrollbarWidth: 'thin' },
       '.cm-content': { caretColor: 'var(--ink)', paddingBlock: '0.5rem' },
       '.cm-cursor': { borderLeftColor: 'var(--ink)' },
       '.cm-gutters': { color: 'var(--ink-2)', backgroundColor: 'var(--surface-2)', borderRight: '1px solid var(--line)' },
@@ -107,6 +108,14 @@ const help = hoverTooltip((view, at) => {
     }
   )
 })
+
+/** What a change brought from elsewhere. */
+function broughtBy(transaction: Transaction): string {
+  if (!(transaction.isUserEvent('input.paste') || transaction.isUserEvent('input.drop'))) return ''
+  const inserted: string[] = []
+  transaction.changes.iterChanges((_fromBefore, _toBefore, _from, _to, text) => inserted.push(text.toString()))
+  return inserted.join('\n')
+}
 
 function diagnosticOf({ doc }: EditorState, { message, line, column, meaning }: Wrong): Diagnostic {
   const { from, to, text } = doc.line(Math.min(Math.max(line, 1), doc.lines))
@@ -165,8 +174,8 @@ export class Editor {
         ...defaultKeymap,
         indentWithTab,
       ]),
-      EditorView.updateListener.of(({ docChanged, state }) => {
-        if (docChanged) onchange(state.doc.toString())
+      EditorView.updateListener.of(({ docChanged, state, transactions }) => {
+        if (docChanged) onchange(state.doc.toString(), transactions.map(broughtBy).join('\n'))
       }),
       this.theme.of(looks(now)),
     ]

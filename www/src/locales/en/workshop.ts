@@ -13,6 +13,7 @@ export const workshop = {
   full: 'Full speed',
   fullHelp: 'Run the code without an interpreter',
   fullForeign: 'Only code that you wrote yourself can run at full speed.',
+  pasted: 'Code was pasted, so it runs in the interpreter again. Choose full speed if you wrote it yourself.',
   question: {
     title: 'Run without the interpreter?',
     text: 'At full speed the code runs as a script of this page, in a thread of its own. It can then use the network and what this site keeps in your browser, and nothing stops it after a second. The results are the same.',

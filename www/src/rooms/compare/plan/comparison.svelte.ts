@@ -11,7 +11,7 @@ import { SIGHTS } from '../../../stores/proposed.svelte'
 import { sceneIn } from '../address'
 import { StatisticsWorker } from '../statistics/statistics-worker'
 import { codeOf } from '../../../catalogue/own'
-import { admitAll } from '../../../stores/own-code'
+import { mayOpenAll } from '../../../stores/own-code'
 import { CODES, planKeys, planOf } from './address'
 import { applicable, type Budget, COUNT, type Entrant, freeSlot, MOST_ENTRANTS, type Plan, planFor } from './plan'
 import { offered, type Preset } from './presets'
@@ -209,8 +209,8 @@ export class Comparison {
     const { api, own } = this.lab
     this.opening = true
     const codes = keys.get(CODES)?.split(',') ?? []
-    const admitted = await admitAll(own, codes.slice(0, MOST_ENTRANTS), addressOf(keys))
-    if (admitted.ok && !admitted.value) {
+    const allowed = await mayOpenAll(own, codes.slice(0, MOST_ENTRANTS), addressOf(keys))
+    if (allowed.ok && !allowed.value) {
       // Its codes are to be seen first.
       this.opening = false
       this.begin()
