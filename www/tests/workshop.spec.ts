@@ -332,6 +332,7 @@ test('pasted code runs in the interpreter, and what came from elsewhere stays so
   await pasted(`/* ${part} */`)
   await expect(full).toBeChecked()
 
+  await page.getByTestId('editor').click()
   await page.keyboard.press('Control+a')
   await pasted(`${template('pso')}\n`)
   await expect(full).toBeDisabled()
