@@ -38,6 +38,7 @@ test('a planner is written from a template, changed where the run is, and raced'
   await page.getByTestId('editor').waitFor()
   await pick(page, 'template', 'hill-climber')
   await expect(page.getByTestId('workshop-scene')).toHaveValue('Sphere, 2 variables')
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
   await page.getByTestId('play').click()
   const before = await lab.seek(40)
   expect(await violations(lab)).toEqual([])
@@ -54,12 +55,24 @@ test('a planner is written from a template, changed where the run is, and raced'
   await page.getByTestId('redo').click()
   await expect(lab.root).toHaveAttribute('data-hash', after)
 
+  // Another room does not make it forget what can be undone.
+  await page.getByTestId('view-lab').click()
+  await page.getByTestId('view-workshop').click()
+  await expect(page.getByTestId('template')).toHaveValue('Hill climber (edited)')
+  await page.getByTestId('editor').click()
+  await page.keyboard.press('Control+z')
+  await expect(page.getByTestId('template')).toHaveValue('Hill climber')
+  await page.keyboard.press('Control+y')
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+
   await page.getByTestId('race-own').click()
   await expect(page.getByTestId('lane')).toHaveCount(2)
   await pick(page, 'compare-adds', 'wcpso')
   await expect(page.getByTestId('lane')).toHaveCount(3)
+  await expect(page.getByTestId('compare-adds')).toHaveValue('')
   await page.getByTestId('race-end').click()
   await expect(page.getByTestId('lane').first()).toContainText('1001')
+  await expect(page.getByTestId('lane-rank').filter({ hasText: 'won' })).toHaveCount(1)
 })
 
 test('what is wrong is said at its line, and what was there goes on', async ({ lab, page }) => {
@@ -171,6 +184,9 @@ test('help while typing comes from the contract', async ({ page }) => {
   })
   await page.mouse.move(place.x, place.y)
   await expect(page.locator('.cm-help')).toContainText('The cost of a candidate')
+  await behind(page, "kinds: ['function'")
+  await page.keyboard.type(", 'gr")
+  await expect(page.locator('.cm-tooltip-autocomplete')).toContainText('grid')
 })
 
 test('a link shows the code and its note before it runs', async ({ lab, page }) => {

@@ -58,6 +58,8 @@ export class Workshop {
   text = $state.raw('')
   /** What was in the editor before another code took its place. */
   last = $state.raw(recall(LAST))
+  /** The name of the template that it was made of. */
+  template = $state('')
   /** Somebody else wrote it, or what it was made of. */
   foreign = $state(recall(FOREIGN) === 'yes')
   auto = $state(recall('workshop.auto') !== 'no')
@@ -113,6 +115,7 @@ export class Workshop {
       remember(LAST, this.text)
       remember(LAST_FOREIGN, this.foreign ? 'yes' : 'no')
     }
+    this.template = ''
     this.foreign = foreign
     remember(FOREIGN, foreign ? 'yes' : 'no')
     this.save(code)

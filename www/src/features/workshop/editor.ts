@@ -33,8 +33,13 @@ export interface Wrong {
   meaning: string
 }
 
+/** An editor as it was left. */
+export type Kept = EditorState
+
 interface Options {
   text: string
+  /** As it was left, if that has the same text. */
+  kept?: Kept | undefined
   label: string
   dark: boolean
   /** `brought`: what was pasted or dropped. */
@@ -132,7 +137,7 @@ export class Editor {
   private readonly extensions: (dark: boolean) => Extension[]
   private dark: boolean
 
-  constructor(parent: HTMLElement, { text, label, dark, onchange, onrun }: Options) {
+  constructor(parent: HTMLElement, { text, kept, label, dark, onchange, onrun }: Options) {
     const root = parent.shadowRoot ?? parent.attachShadow({ mode: 'open' })
     this.extensions = (now) => [
       lineNumbers(),
@@ -180,7 +185,13 @@ export class Editor {
       this.theme.of(looks(now)),
     ]
     this.dark = dark
-    this.view = new EditorView({ state: this.stateOf(text), parent: root, root })
+    const state = kept?.doc.toString() === text ? kept : this.stateOf(text)
+    this.view = new EditorView({
+      state,
+      parent: root,
+      root,
+      scrollTo: EditorView.scrollIntoView(state.selection.main.head, { y: 'center' }),
+    })
   }
 
   private stateOf(doc: string): EditorState {
@@ -209,7 +220,9 @@ export class Editor {
     this.view.focus()
   }
 
-  destroy(): void {
+  destroy(): Kept {
+    const { state } = this.view
     this.view.destroy()
+    return state
   }
 }

@@ -98,6 +98,15 @@ function completionOf(one: Member, as: 'property' | 'pattern' | 'member' | 'word
   }
 }
 
+/** Words that a member's type allows, of which a text at a place is one. */
+function wordsAt(state: EditorState, at: SyntaxNode): readonly string[] {
+  const list = at.parent?.name === 'ArrayExpression' ? at.parent : at
+  const holder = list.parent?.parent
+  const known = holder?.name === 'ObjectExpression' ? interfaceOf(state, holder) : null
+  const type = membersOf(known ?? '').find(({ name }) => name === propertyOf(state, list))?.type ?? ''
+  return [...type.matchAll(/'([^']+)'/g)].map(([, word = '']) => word)
+}
+
 /** What can be written at the cursor. */
 export function completions(context: CompletionContext): CompletionResult | null {
   const { state, pos } = context
@@ -110,7 +119,10 @@ export function completions(context: CompletionContext): CompletionResult | null
     return { from: dot.from + object.length + 1, options: membersOf(name).map((one) => completionOf(one, 'member')), validFor: /^[\w$]*$/ }
   }
   if (!word || (word.from === word.to && !context.explicit)) return null
-  const place = placeOf(state, syntaxTree(state).resolveInner(pos, -1))
+  const at = syntaxTree(state).resolveInner(pos, -1)
+  if (at.name === 'String')
+    return { from: word.from, options: wordsAt(state, at).map((label) => ({ label, type: 'constant' })), validFor: /^[\w$-]*$/ }
+  const place = placeOf(state, at)
   if (place) {
     const options = membersOf(place.name).map((one) => completionOf(one, place.as))
     return { from: word.from, options, validFor: /^[\w$]*$/ }

@@ -5,6 +5,8 @@ const list = (names: readonly string[]): string =>
 export const race = {
   /** Where racers are measured by different ones. */
   yardsticks: { 'any-angle': 'any-angle optimum', cells: 'optimum over cells', matrix: 'shortest tour', stored: 'file’s optimum' },
+  /** On functions any result may be used. */
+  best: (any: boolean) => (any ? 'Best' : 'Feasible best'),
   lanes: 'Planners side by side',
   notch: 'Evaluations per tick',
   notchUsual: (count: string) => `${count}: the largest step of these planners`,
@@ -15,7 +17,7 @@ export const race = {
     opens: (name: string, iteration: string) => `Open in the Lab: ${name}, iteration ${iteration}`,
     stage: (name: string) => `Picture of ${name}`,
     rank: (rank: number) => ['', 'leads', '2nd', '3rd'][rank] ?? `${rank}th`,
-    first: (shared: boolean) => (shared ? 'shares the lead' : 'leads'),
+    first: (shared: boolean, over: boolean) => (over ? (shared ? 'shares the first place' : 'won') : shared ? 'shares the lead' : 'leads'),
     none: 'no result yet',
     best: 'best',
     gap: 'gap',
@@ -53,11 +55,13 @@ export const race = {
     fastest: 'Fastest',
   },
   chart: {
-    title: 'Feasible best over evaluations',
-    label: 'Feasible best of each racer over evaluations',
+    title: (best: string) => `${best} over evaluations`,
+    label: (best: string) => `${best} of each racer over evaluations`,
     empty: 'No racer has a feasible result yet.',
     scale: 'Scale',
     linear: 'Linear',
+    log: 'Log',
+    logHint: 'A logarithmic scale needs positive values.',
     near: 'Near the best',
     hint: 'Left and right arrows move the clock',
     exact: {
@@ -70,12 +74,12 @@ export const race = {
     readout: (clock: string, marks: string) => `At ${clock} evaluations: ${marks}`,
   },
   table: {
-    title: 'Who leads',
+    title: (over: boolean) => (over ? 'Who won' : 'Who leads'),
     all: 'Table of the standings',
-    caption: (clock: string) => `Standings at ${clock} evaluations: by feasible best, then by the evaluations it took to find`,
+    caption: (clock: string, best: string) =>
+      `Standings at ${clock} evaluations: by ${best.toLowerCase()}, then by the evaluations it took to find`,
     rank: 'Rank',
     planner: 'Planner',
-    best: 'Feasible best',
     gap: 'Gap',
     found: 'Found at',
     evaluations: 'Evaluations',

@@ -19,6 +19,9 @@ export function bestOf({ mark, outcome }: Lane): number | null {
   return mark?.value ?? outcome?.length ?? outcome?.cost ?? null
 }
 
+/** What the feasible best is called. */
+export const bestTitle = (scene: Scene | null): string => text.best(scene?.kind === 'function')
+
 export const told = (value: number | null, scene: Scene | null): string =>
   value === null ? number(null) : number(value, DIGITS) + unitOf(scene)
 
