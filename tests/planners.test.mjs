@@ -243,6 +243,7 @@ test('the conformance suite says in words what is violated', async () => {
     [{ draw }, 'looking changes nothing', 'changes the state'],
     [{ best: ({ cost, position }) => ({ cost: cost + 1, position }) }, 'it starts', 'the cost of its best is said to be'],
     [{ advance }, 'the best cost never rises', 'rises from'],
+    [{ best: () => null }, 'a run has a result, and no fault', 'there is no best solution'],
     [{ readings: [{ name: 'ratio', value: () => Number.NaN }] }, 'readings are numbers', '`ratio` is no number'],
   ]
   for (const [more, check, words] of wrongs) {
