@@ -77,7 +77,7 @@ export const race = {
     title: (over: boolean) => (over ? 'Who won' : 'Who leads'),
     all: 'Table of the standings',
     caption: (clock: string, best: string) =>
-      `Standings at ${clock} evaluations: by ${best.toLowerCase()}, then by the evaluations it took to find`,
+      `Standings at ${clock} evaluations: by their ${best.toLowerCase()}, then by the evaluations it took to find`,
     rank: 'Rank',
     planner: 'Planner',
     gap: 'Gap',

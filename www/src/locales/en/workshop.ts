@@ -65,7 +65,6 @@ export const workshop = {
   large: 'The code is too long for a link. Save it as a file to pass it on.',
   saved: 'What you write is kept in this browser.',
   help: 'Ctrl + Space lists what can be written at the cursor. To leave the editor with the keyboard, press Escape, then Tab.',
-  optional: 'may be absent',
   offer: {
     title: 'This link brings a planner',
     file: (name: string) => `${name} is a planner`,
@@ -77,7 +76,6 @@ export const workshop = {
     run: 'Run it',
     edit: 'Open in the Workshop',
     leave: 'Do not run it',
-    kept: 'The code that you wrote before is in the list of templates, as “Your last code”.',
   },
   last: 'Your last code',
 } as const
