@@ -293,7 +293,8 @@ export async function registerCodeBy(code, { compiled, loadCode, onprint }) {
   const [interpreter] = await Promise.all([interpreterBy(compiled), loadCode()])
   const isolate = new Isolate(interpreter, onprint)
   try {
-    isolate.run(code, FILE, STEP, 'module')
+    const portable = isolate.call('portable', [code], STEP, (value) => isolate.context.getString(value))
+    isolate.run(portable, FILE, STEP, 'module')
   } catch (error) {
     throw refused(`code: ${error.message}`, { line: error.line, column: error.column, stopped: error.stopped })
   }

@@ -3,8 +3,8 @@ import type { Described, Tools } from './planner.js'
 
 /**
  * Adds a planner by its code: a script that calls `register({ … })` once, which is there, or imports it from `forage-lab`. The code runs
- * in an interpreter of its own, which is loaded when it is needed (231 kB): without network, clock, document and storage, a second for
- * each step and 64 MB at most. `Math` has the bits of the core there. For code that comes from somebody else.
+ * in an interpreter of its own, which is loaded when it is needed (231 kB): without network, clock, document and storage, 900 ms for
+ * each step, 300 ms for what shows it, and 64 MB at most. `Math` has the bits of the core there. For code that comes from somebody else.
  *
  * Where a step takes longer the run ends as `failed`, and says so. What the code prints by `console.log` goes to `onprint`, and
  * what is wrong with its `draw` and `explain`, which end no run.
@@ -23,5 +23,14 @@ export function codeIn(link: string): Promise<string | undefined>
 /** The state of the planner of a session, as plain data; undefined where it is a planner of the package. */
 export function stateOf(session: Session): unknown
 
-/** The mathematics that planners are given, while one of their functions runs. */
+/** The mathematics that planners are given, once the part of the core is loaded that runs planners from code. */
 export const mathematics: Tools['math']
+
+/**
+ * A code with each `a ** b` written as `power$(a, b)`: the last bits of `**` are the engine's own. `registerCode` does so, with the
+ * core's power. Throws a `SyntaxError` for `**=`, and where what is on a side of `**` has to be in parentheses.
+ */
+export function withPowers(code: string): string
+
+/** What `power$` is, by a power of two numbers: that of large integers is exact in every engine. */
+export function powerBy(pow: (x: number, y: number) => number): (x: any, y: any) => number | bigint

@@ -34,9 +34,19 @@ export interface Tools {
     | 'sign'
     | 'min'
     | 'max'
+    | 'hypot'
+    | 'imul'
+    | 'clz32'
+    | 'fround'
     | 'PI'
     | 'E'
-  > & { hypot(x: number, y: number): number }
+    | 'SQRT2'
+    | 'SQRT1_2'
+    | 'LN2'
+    | 'LN10'
+    | 'LOG2E'
+    | 'LOG10E'
+  >
   /** A uniform number in [0, 1) from the run's own stream. While `start` or `advance` runs, like all that follow. */
   random(): number
   /** A number from the standard normal distribution. */

@@ -41,11 +41,12 @@ for (const [name, code] of Object.entries(templates)) {
   })
 }
 
-test('every template has the hash that it has natively', async () => {
+test('every template has the hash that it has natively, and mathematics of all kinds', async () => {
   const stored = JSON.parse(readFileSync(new URL('../crates/isolate/tests/hashes.json', import.meta.url), 'utf8'))
-  assert.deepEqual(stored.map(([name]) => name).sort(), Object.keys(templates).sort())
+  for (const name of Object.keys(templates)) assert.ok(stored.some(([file]) => file === `templates/${name}.js`))
   for (const [name, scene, seed, hash] of stored) {
-    const session = new Session({ planner: (await registerCode(templates[name])).name, scene, seed })
+    const code = readFileSync(new URL(`../${name}`, import.meta.url), 'utf8')
+    const session = new Session({ planner: (await registerCode(code)).name, scene, seed })
     session.step(20)
     assert.equal(session.hash(), hash, name)
   }

@@ -22,7 +22,11 @@ use rquickjs::{
 
 const INSIDE: &str = include_str!("js/inside.js");
 /// What the inside consists of, by name.
-const PARTS: [(&str, &str); 2] = [("./describe.js", include_str!("js/describe.js")), ("./host.js", include_str!("js/host.js"))];
+const PARTS: [(&str, &str); 3] = [
+    ("./describe.js", include_str!("js/describe.js")),
+    ("./host.js", include_str!("js/host.js")),
+    ("./powers.js", include_str!("js/powers.js")),
+];
 /// What an author may import.
 const FORAGE: (&str, &str) = ("forage-lab", "export const register = globalThis.register");
 
@@ -125,7 +129,8 @@ impl Interpreter {
             ctx.store_userdata(Inside(inside)).map(drop).map_err(|_| rquickjs::Error::Unknown)
         })?;
         complete.store(true, Relaxed);
-        interpreter.within(STEP, |ctx| Module::evaluate(ctx.clone(), FILE, code)?.finish::<()>())?;
+        let portable = interpreter.call("portable", STEP, [Given::Text(code.to_owned())], |value| value.get::<String>().ok())?;
+        interpreter.within(STEP, |ctx| Module::evaluate(ctx.clone(), FILE, portable.unwrap_or_default())?.finish::<()>())?;
         Ok(interpreter)
     }
 
@@ -225,7 +230,10 @@ fn fault(ctx: &Ctx<'_>, error: rquickjs::Error, limit: Duration, late: bool) -> 
         "Null" if stack.is_empty() && !late => {
             message!("isolate-null", "it throws null, or it needs more than {memory} MB", memory = MEMORY)
         }
-        _ if waits && !late => message!("isolate-waits", "it awaits what never comes"),
+        // Without memory a promise is never kept.
+        _ if waits && !late => {
+            message!("isolate-waits", "it awaits what never comes, or it needs more than {memory} MB", memory = MEMORY)
+        }
         text if late || text == "interrupted" => {
             message!("isolate-time", "it took longer than {limit} ms and was stopped", limit = limit.as_millis() as f64)
         }

@@ -12,17 +12,21 @@ fn run(code: &str, scene: &str, seed: u64) -> Result<Run, forage::Error> {
 }
 
 fn template(name: &str) -> String {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../templates/{name}.js"))).unwrap()
+    file(&format!("templates/{name}.js"))
+}
+
+fn file(path: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)).unwrap()
 }
 
 /// Hashes after 20 steps, which `tests/templates.test.mjs` compares with those of the package.
 const STORED: &str = include_str!("hashes.json");
 
 #[test]
-fn templates_have_their_hashes() {
+fn codes_have_their_hashes() {
     let stored: Vec<(String, String, u64, String)> = serde_json::from_str(STORED).unwrap();
     for (name, scene, seed, hash) in stored {
-        let mut run = run(&template(&name), &scene, seed).unwrap();
+        let mut run = run(&file(&name), &scene, seed).unwrap();
         let first = run.hash();
         run.step(20);
         assert_eq!(run.hash(), hash, "{name}");

@@ -12,21 +12,25 @@ const POSITION = 0
 const PATH = 1
 const ORDER = 2
 
+/** What has no choice: its bits are the same in every engine. */
+const EXACT = [
+  ...['sqrt', 'abs', 'floor', 'ceil', 'round', 'trunc', 'sign', 'min', 'max', 'imul', 'clz32', 'fround'],
+  ...['PI', 'E', 'SQRT2', 'SQRT1_2', 'LN2', 'LN10', 'LOG2E', 'LOG10E'],
+]
+
 /** Functions whose bits are the same everywhere, which those of `Math` are not. */
 export function mathBy(lent) {
   const one = (name) => (x) => lent(SCALAR[name], +x, 0)
   const two = (name) => (x, y) => lent(SCALAR[name], +x, +y)
   const own = Object.fromEntries(['sin', 'cos', 'exp', 'log', 'acos', 'asin', 'log10'].map((name) => [name, one(name)]))
-  const exact = Object.fromEntries(
-    ['sqrt', 'abs', 'floor', 'ceil', 'round', 'trunc', 'sign', 'min', 'max', 'PI', 'E'].map((name) => [name, Math[name]]),
-  )
+  const exact = Object.fromEntries(EXACT.map((name) => [name, Math[name]]))
   return Object.freeze({
     ...own,
     ...exact,
     pow: two('pow'),
     atan2: two('atan2'),
     tan: (x) => own.sin(x) / own.cos(x),
-    hypot: (x, y) => Math.sqrt(x * x + y * y),
+    hypot: (...values) => exact.sqrt(values.reduce((sum, x) => sum + x * x, 0)),
   })
 }
 

@@ -3,7 +3,8 @@
  * alone, and gives numbers; what goes out are numbers, texts and buffers.
  */
 import { describe } from './describe.js'
-import { hostOf } from './host.js'
+import { hostOf, mathBy } from './host.js'
+import { powerBy, withPowers } from './powers.js'
 
 const { lent, list, print } = globalThis.outside
 delete globalThis.outside
@@ -14,24 +15,13 @@ const listOf = Array.from
 const lentList = (what, numbers) => list(what, numbers.buffer)
 
 // Mathematics that may differ between engines is the core's. Chance and time are none of it.
-const one = (what) => (x) => lent(what, +x, 0)
-const two = (what) => (x, y) => lent(what, +x, +y)
-Object.assign(Math, {
-  sin: one(3),
-  cos: one(4),
-  exp: one(5),
-  log: one(6),
-  pow: two(7),
-  atan2: two(8),
-  acos: one(9),
-  asin: one(10),
-  log10: one(11),
-  random() {
-    throw new Error('Math.random is another one each time: take `random` from what `start` and `advance` are given')
-  },
-})
-for (const name of ['tan', 'atan', 'sinh', 'cosh', 'tanh', 'asinh', 'acosh', 'atanh', 'expm1', 'log1p', 'log2', 'cbrt', 'hypot'])
-  delete Math[name]
+const mathematics = mathBy(lent)
+for (const name of Object.getOwnPropertyNames(Math)) if (!(name in mathematics)) delete Math[name]
+for (const [name, value] of Object.entries(mathematics)) if (typeof value === 'function') Math[name] = value
+Math.random = () => {
+  throw new Error('Math.random is another one each time: take `random` from what `start` and `advance` are given')
+}
+Object.defineProperty(globalThis, 'power$', { value: powerBy(mathematics.pow) })
 
 const shown = (value) => {
   if (typeof value === 'string') return value
@@ -62,6 +52,8 @@ const plainOf = (state) =>
 
 /** What the outside calls, by name. */
 globalThis.inside = {
+  /** A code as it is run. */
+  portable: withPowers,
   /** What the planner says of itself, or why it is refused. */
   described() {
     if (given.length !== 1)

@@ -1,6 +1,6 @@
 /* A planner's code without an interpreter around it. Only for what the user wrote, and only after a question. */
 import { type Planner, register } from 'forage-lab'
-import { mathematics } from 'forage-lab/isolate'
+import { mathematics, powerBy, withPowers } from 'forage-lab/isolate'
 
 type Functions = Record<string, unknown>
 
@@ -14,7 +14,7 @@ const SHOWS = ['draw', 'explain']
 function withLine(error: unknown): Error {
   if (!(error instanceof Error)) return new Error(String(error))
   const line = LINE.exec(error.stack ?? '')?.[1]
-  return new Error(`${error.name}: ${error.message}${line ? ` (line ${line})` : ''}`)
+  return new Error(`${error.name === 'Error' ? '' : `${error.name}: `}${error.message}${line ? ` (line ${line})` : ''}`)
 }
 
 /** The same functions, whose errors have their line. */
@@ -28,7 +28,7 @@ function withLines(planner: Functions): Functions {
             return value.apply(planner, given) as unknown
           } catch (error) {
             const known = withLine(error)
-            if (SHOWS.includes(name)) print(`${name}: ${known.message}`)
+            if (SHOWS.includes(name)) complain(`${name}: ${known.message}`)
             throw known
           }
         },
@@ -38,6 +38,13 @@ function withLines(planner: Functions): Functions {
 
 const shown = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? String(value)))
 
+/** What only shows something throws with each picture: it is printed once. */
+function complain(line: string): void {
+  if (line !== complaint) print(line)
+  complaint = line
+}
+
+let complaint = ''
 let print: (line: string) => void = () => undefined
 let patched = false
 
@@ -56,24 +63,32 @@ function refuseChance(): never {
   throw new Error('Math.random is another one each time: take `random` from what `start` and `advance` are given')
 }
 
+/** The package, where a code imports from it. */
+const IMPORTED = /(\bfrom\s*|\bimport\s*)(['"])forage-lab\2/g
+
+const scriptOf = (code: string): string => URL.createObjectURL(new Blob([code], { type: 'text/javascript' }))
+
 /** Registers the planner of a code that was read in the interpreter before. */
 export async function registerPlain(code: string, onprint: (line: string) => void): Promise<Planner> {
   let given: Functions | undefined
   captureConsole()
   print = onprint
+  complaint = ''
   Object.assign(globalThis, {
     forageMath: { ...mathematics, random: refuseChance },
+    power$: powerBy(mathematics.pow),
     register: (planner: Functions) => {
       given = planner
     },
   })
+  const library = scriptOf('export const register = globalThis.register')
   // Its lines stay where they are.
-  const script = `const Math = globalThis.forageMath; ${code.replace(/import\s*\{\s*register\s*\}\s*from\s*(['"])forage-lab\1/, (found) => found.replace(/[^\n]/g, ''))}`
-  const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
+  const script = withPowers(code).replace(IMPORTED, (_, before: string) => `${before}'${library}'`)
+  const address = scriptOf(`const Math = globalThis.forageMath; ${script}`)
   try {
     await import(/* @vite-ignore */ address)
   } finally {
-    URL.revokeObjectURL(address)
+    for (const one of [address, library]) URL.revokeObjectURL(one)
   }
   if (!given) throw new Error('it registers no planner')
   return register(withLines(given) as unknown as Parameters<typeof register>[0])
