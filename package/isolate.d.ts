@@ -33,4 +33,4 @@ export const mathematics: Tools['math']
 export function withPowers(code: string): string
 
 /** What `power$` is, by a power of two numbers: that of large integers is exact in every engine. */
-export function powerBy(pow: (x: number, y: number) => number): (x: any, y: any) => number | bigint
+export function powerBy(pow: (x: number, y: number) => number): (x: unknown, y: unknown) => unknown

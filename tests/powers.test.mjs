@@ -1,3 +1,4 @@
+// biome-ignore-all lint/suspicious/noTemplateCurlyInString: codes are written as texts here
 // `a ** b` as a call of the core's power: what a code means stays the same.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'

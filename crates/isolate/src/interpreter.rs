@@ -7,6 +7,7 @@ use std::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicBool, Ordering::Relaxed},
     },
+    thread::{self, ThreadId},
     time::{Duration, Instant},
 };
 
@@ -41,6 +42,23 @@ pub(crate) const LOOK: Duration = Duration::from_millis(300);
 /// The longest message of an error, in characters.
 const LONGEST_MESSAGE: usize = 500;
 const FILE: &str = "planner.js";
+/// By how much a call may be late: the clock is looked at between instructions, not within what is built in.
+const GRACE: Duration = Duration::from_secs(3);
+/// Threads that run a code now, and until when they may.
+static BUSY: Mutex<Vec<(ThreadId, Instant)>> = Mutex::new(Vec::new());
+
+/// Looks whether code runs on after its time, because something built in takes that long; calls `stuck` with its thread, once.
+pub fn watch(stuck: impl Fn(ThreadId) + Send + 'static) {
+    thread::spawn(move || {
+        loop {
+            thread::sleep(GRACE / 10);
+            let late = locked(&BUSY).iter().find(|(_, end)| Instant::now() > *end + GRACE).map(|(thread, _)| *thread);
+            if let Some(thread) = late {
+                return stuck(thread);
+            }
+        }
+    });
+}
 
 type Intrinsics = (Eval, RegExpCompiler, RegExp, Json, Proxy, MapSet, TypedArrays, Promise);
 
@@ -166,7 +184,10 @@ impl Interpreter {
     fn within<T>(&self, limit: Duration, work: impl for<'js> FnOnce(&Ctx<'js>) -> Result<T>) -> std::result::Result<T, Message> {
         let end = Instant::now() + limit;
         *locked(&self.deadline) = Some(end);
+        let thread = thread::current().id();
+        locked(&BUSY).push((thread, end));
         let result = self.context.with(|ctx| work(&ctx).map_err(|error| fault(&ctx, error, limit, Instant::now() > end)));
+        locked(&BUSY).retain(|(busy, _)| *busy != thread);
         *locked(&self.deadline) = None;
         result
     }

@@ -28,6 +28,7 @@ mod host;
 mod interpreter;
 mod link;
 
+pub use interpreter::watch;
 pub use link::{MOST_IN_LINK, code_in, with_code};
 
 use std::sync::{Arc, Mutex, PoisonError};

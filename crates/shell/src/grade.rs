@@ -8,7 +8,7 @@ use std::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicUsize, Ordering},
     },
-    thread,
+    thread::{self, ThreadId},
 };
 
 use forage::{
@@ -84,6 +84,20 @@ fn handed(line: usize, text: &str) -> Option<Handed<'_>> {
     Some(Handed { line, name: text[..begin].trim_matches(|c| parts(c) || c == ':'), link: &text[begin..end] })
 }
 
+/// What each thread judges now: the line.
+static GRADED: Mutex<Vec<(ThreadId, usize)>> = Mutex::new(Vec::new());
+
+fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Says that the code which a thread runs does not stop, and whose it is.
+pub(super) fn unstoppable(thread: ThreadId) -> String {
+    let line = locked(&GRADED).iter().find(|(other, _)| *other == thread).map(|(_, line)| *line);
+    let place = line.map_or_else(|| "code".to_owned(), |line| format!("line {line}"));
+    format!("{place}: it took longer than 900 ms and could not be stopped: something built in took several seconds")
+}
+
 /// All of them, in their order; several at a time.
 fn graded(task: &Task, all: &[Handed<'_>], jobs: Option<NonZeroUsize>) -> Vec<Row> {
     let threads = jobs.or(thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get).min(all.len());
@@ -92,8 +106,11 @@ fn graded(task: &Task, all: &[Handed<'_>], jobs: Option<NonZeroUsize>) -> Vec<Ro
         for _ in 0..threads {
             scope.spawn(|| {
                 while let Some(one) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let thread = thread::current().id();
+                    locked(&GRADED).push((thread, one.line));
                     let row = row(task, one);
-                    rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
+                    locked(&GRADED).retain(|(other, _)| *other != thread);
+                    locked(&rows).push(row);
                 }
             });
         }

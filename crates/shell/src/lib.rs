@@ -51,6 +51,7 @@ use clap::Parser;
 use forage::Registry;
 
 use args::{Cli, Command};
+use failure::Failure;
 
 /// Runs the command line with the planners, scenes, generators and followers of a registry, and returns its exit code. In one
 /// process the registry of the first call counts.
@@ -60,6 +61,10 @@ pub fn main_with(known: Registry) -> ExitCode {
         Ok(cli) => cli.command,
         Err(error) => return usage::report(&error),
     };
+    forage_isolate::watch(|thread| {
+        output::report(&Failure::Refused(grade::unstoppable(thread)));
+        std::process::exit(2);
+    });
     let outcome = match command {
         Command::List(args) => list::list(&args),
         Command::Run(args) => run::run(&args),
