@@ -6,7 +6,7 @@ import { QuickJSFFI } from '@jitl/quickjs-wasmfile-release-sync/ffi'
 import load from '@jitl/quickjs-wasmfile-release-sync/emscripten-module'
 import { newQuickJSWASMModuleFromVariant, newVariant } from 'quickjs-emscripten-core'
 import { lent, lentList } from './glue.js'
-import { add } from './own.js'
+import { add, describe } from './own.js'
 
 /** Written by package/complete.mjs: the script crates/isolate/src/js/inside.js. */
 const PRELUDE = INSIDE
@@ -273,16 +273,20 @@ class Isolate {
   }
 }
 
-const LISTS = { kinds: 'string', parameters: 'name', readings: 'name', formulas: 'name', layers: 'role' }
+/** Members of a planner that are functions. */
+const FUNCTIONS = ['start', 'advance', 'best', 'draw', 'explain']
 
-/** Whether it has the form that a planner has in the catalogue. */
-const isEntry = (described) =>
-  typeof described?.name === 'string' &&
-  ['title', 'summary'].every((name) => typeof described[name] === 'string') &&
-  Object.entries(LISTS).every(
-    ([list, key]) =>
-      Array.isArray(described[list]) && described[list].every((item) => typeof (key === 'string' ? item : item?.[key]) === 'string'),
-  )
+/** What was written of a planner, with functions where there is code. */
+function plannerOf(written) {
+  const isCode = (value) => value === 'code'
+  const planner = { ...written }
+  for (const name of FUNCTIONS) if (isCode(planner[name])) planner[name] = () => undefined
+  if (Array.isArray(planner.readings))
+    planner.readings = planner.readings.map((one) => (isCode(one?.value) ? { ...one, value: () => 0 } : one))
+  return planner
+}
+
+const textOr = (value, otherwise) => (typeof value === 'string' ? value.slice(0, LONGEST_MESSAGE) : otherwise)
 
 /**
  * Adds a planner by its code. `compiled` promises the interpreter's module, `loadCode` loads the part of the core that runs planners
@@ -298,8 +302,20 @@ export async function registerCodeBy(code, { compiled, loadCode, onprint }) {
   } catch (error) {
     throw refused(`code: ${error.message}`, { line: error.line, column: error.column, stopped: error.stopped })
   }
-  const described = JSON.parse(isolate.call('described', [], STEP, (value) => isolate.context.getString(value)))
-  if (described?.code === 'refused') throw refused(String(described.message), described)
-  if (!isEntry(described)) throw refused('code: it changes what reads it')
-  return add(described, isolate.host())
+  const text = (value) => isolate.context.getString(value)
+  try {
+    const said = JSON.parse(isolate.call('described', [], STEP, text))
+    if (said?.code === 'refused') {
+      const { field, value, allowed, message } = said
+      throw refused(textOr(message, 'the code is refused'), {
+        field: textOr(field, 'code'),
+        value: textOr(value),
+        allowed: textOr(allowed),
+      })
+    }
+    return add(describe(plannerOf(JSON.parse(isolate.call('written', [], STEP, text)))), isolate.host())
+  } catch (error) {
+    if (error.code === 'refused') throw error
+    throw refused(`code: ${error.message}`, { line: error.line, column: error.column, stopped: error.stopped })
+  }
 }

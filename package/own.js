@@ -10,6 +10,8 @@ export { describe }
 
 /** What was added last, by name. */
 const known = new Map()
+/** The state that was asked for its hash last, and its host. */
+let seen
 
 /** What a restarted module is given again. */
 function again() {
@@ -20,11 +22,10 @@ function again() {
 function held(host) {
   let states = 0
   let replaced = false
-  let seen
   const shell = {
     ...host,
     digest(id) {
-      seen = id
+      seen = { host, id }
       return host.digest(id)
     },
     start(...given) {
@@ -33,13 +34,17 @@ function held(host) {
       return id
     },
     copy(id) {
+      const copied = host.copy(id)
       states += 1
-      return host.copy(id)
+      return copied
     },
     forget(id) {
-      host.forget(id)
-      states -= 1
-      letGo()
+      try {
+        host.forget(id)
+      } finally {
+        states -= 1
+        letGo()
+      }
     },
   }
   function letGo() {
@@ -49,17 +54,17 @@ function held(host) {
     replaced = true
     letGo()
   }
-  return { host: shell, replace, state: () => host.state(seen) }
+  return { host: shell, replace }
 }
 
 /** Adds a planner to those that are known. `given`: who calls its code; `described`: what it says of itself. */
 export function add(described, given) {
   if (holdersOf('planner', described.name)) throw refused('name', described.name, 'a name that no planner of the package has')
-  const { host, replace, state } = held(given)
+  const { host, replace } = held(given)
   registerPlanner(described, host)
   if (known.size === 0) afterReset(again)
   known.get(described.name)?.replace()
-  known.set(described.name, { described, host, replace, state })
+  known.set(described.name, { described, host, replace })
   return described
 }
 
@@ -75,10 +80,10 @@ export function describedBy(name) {
 
 /** The state of a session's planner, if somebody wrote that planner. */
 export function stateOf(session) {
-  const own = known.get(session.planner)
+  seen = undefined
   // What is asked for its hash is the present state.
-  if (own) session.hash()
-  return own?.state()
+  session.hash()
+  return seen?.host.state(seen.id)
 }
 
 /** Adds a planner whose code runs in this thread. `load` loads the part of the module that runs such planners. */

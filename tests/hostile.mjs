@@ -85,6 +85,13 @@ const REFUSED = {
     `let kept; ${planner({ start: '(tools) => { kept = tools; return { x: [0, 0], cost: tools.evaluate([0, 0]) } }', best: '({ x, cost }) => { kept.random(); return { position: x, cost } }' })}`,
     /only while/,
   ],
+  'a search without end': ['[].indexOf.call({ length: 2 ** 53 - 1 }, 1)', /too much/],
+  'a sparse list': ['const all = []; all.length = 4e9; all.includes(1)', /too much/],
+  'a search for a long text': ["'a'.repeat(2e7).indexOf('a'.repeat(1e7) + 'b')", /too much/],
+  'a text of nothing': ['String.raw({ raw: { length: 2 ** 50 } })', /too much/],
+  'a description of its own': [`Object.prototype.toJSON = () => ({ name: '../<b>' }); ${planner()}`, /small letters/],
+  'expressions of its own': [`RegExp.prototype.test = () => true; ${planner({ name: "'../<b>'" })}`, /small letters/],
+  'a refusal of its own': ['register(new Proxy({}, { ownKeys() { throw { message: [1, 2], field: {} } } }))', /the code is refused/],
   'chance of its own': [planner({ advance: '() => { Math.random() }' }), /Math\.random/],
 }
 

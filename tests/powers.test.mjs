@@ -20,7 +20,7 @@ const scope = {
   },
 }
 
-const valueOf = (code) => {
+const resultOf = (code) => {
   const power = (x, y) => x ** y
   return String(new Function('power$', ...Object.keys(scope), `return (${code})`)(power, ...Object.values(scope)))
 }
@@ -68,7 +68,7 @@ test('powers are called, and nothing else is another', () => {
   for (const code of CODES) {
     const written = withPowers(code)
     assert.ok(written.includes('power$(') || code === '`**${a}`', code)
-    assert.equal(valueOf(written), valueOf(code), `${code} as ${written}`)
+    assert.equal(resultOf(written), resultOf(code), `${code} as ${written}`)
     assert.equal(written.split('\n').length, code.split('\n').length, code)
   }
 })

@@ -11,7 +11,7 @@ const CLIMBER = template('hill-climber')
 async function opened(page: Page, code: string): Promise<void> {
   await page.addInitScript((text) => {
     if (location.protocol === 'about:') return
-    if (!sessionStorage.getItem('begun')) localStorage.setItem('forage.workshop', text)
+    if (!sessionStorage.getItem('begun')) localStorage.setItem('forage.workshop.draft', JSON.stringify({ code: text, foreign: false }))
     sessionStorage.setItem('begun', 'yes')
   }, code)
   await page.goto('./#view=workshop')

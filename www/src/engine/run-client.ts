@@ -34,14 +34,17 @@ export interface Listeners {
   /** The thread is there. */
   onopen(): void
   onbroken(message: string): void
-  /** The thread did not receive what it was sent; another one takes its place. */
-  onreplaced(): void
+  /** The thread did not receive what it was sent; another one takes its place. `slowed`: with an interpreter around the code. */
+  onreplaced(slowed: boolean): void
 }
 
-/** How often a thread is asked for a sign of life in which a code runs that nothing else stops, in milliseconds. */
+/** How often a thread is asked for a sign of life in which somebody's code runs, in milliseconds. */
 const HEARTBEAT = 500
 /** How often the progress of runs that a step needs is reported, in milliseconds. */
 const PROGRESS_INTERVAL = 100
+
+/** In the words of the interpreter, which could not say it. */
+const UNSTOPPABLE = 'its code took longer than 900 ms and could not be stopped'
 
 /** A message as it is given: its number is added when it is sent. */
 type Unnumbered<M> = M extends unknown ? Omit<M, 'number'> : never
@@ -136,10 +139,10 @@ export class RunClient {
     return this.version
   }
 
-  /** A code without an interpreter may never come to an end. */
+  /** A code may never come to an end: without an interpreter, or within what is built into that. */
   private listen({ setup }: Start): void {
     clearInterval(this.heartbeat)
-    if (setup.full) this.heartbeat = setInterval(() => this.post({ is: 'ping' }), HEARTBEAT)
+    if (setup.code !== undefined) this.heartbeat = setInterval(() => this.post({ is: 'ping' }), HEARTBEAT)
   }
 
   /** Whether a report follows the newest start and target. */
@@ -281,6 +284,7 @@ export class RunClient {
     if (!present || this.starting) return
     present.target = desired.target ?? present.target
     desired.start = present.start
+    this.listen(present.start)
     desired.target = present.target
   }
 
@@ -322,9 +326,15 @@ export class RunClient {
   }
 
   private replace(): void {
+    const { setup } = this.begins.at(-1)?.start ?? this.present?.start ?? {}
+    // The same code would not stop again.
+    if (setup?.code !== undefined && !setup.full) {
+      this.break(UNSTOPPABLE)
+      return
+    }
     this.close()
     this.resume(true)
-    this.listeners.onreplaced()
+    this.listeners.onreplaced(setup?.full ?? false)
     void this.open()
   }
 

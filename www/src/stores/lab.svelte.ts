@@ -56,8 +56,12 @@ export class Lab {
     onrefused: (refusal, version) => this.starts.refuse(worded(refusal), version),
     onprogress: (progress) => this.receiveProgress(progress),
     onbroken: (message) => this.breakDown(message),
-    onreplaced: () => this.replaced(),
+    onreplaced: (slowed) => this.replaced(slowed),
   })
+  /** What runs, or is to run, is code without an interpreter around it. */
+  get atFullSpeed(): boolean {
+    return this.client.desired.start?.setup.full ?? false
+  }
   /** For questions to the run. */
   readonly api = questionsTo(this.client, (link) => this.own.codeFor(link))
   private readonly requests = new Requests<Subject>()
@@ -167,8 +171,8 @@ export class Lab {
     this.playback.forget()
   }
 
-  private replaced(): void {
-    if (this.own.full) {
+  private replaced(slowed: boolean): void {
+    if (slowed) {
       this.own.disableFullSpeed()
       this.notices.text = en.notices.slowed
     }

@@ -2,13 +2,31 @@ import type { Catalogue, Layer, Planner } from 'forage-lab'
 import { isOwn, type OwnPlanner } from '../catalogue/own'
 import type { Answer } from '../engine/protocol'
 import { isShortened, restored } from './large-links'
-import type { Offer, OwnStore } from './own.svelte'
-import { recall } from './storage'
+import { type Offer, type OwnStore, withLines } from './own.svelte'
+import { recall, remember } from './storage'
 
 /** Where the browser keeps what is in the editor. */
-export const DRAFT = 'workshop'
-/** Whether that is somebody else's. */
-export const FOREIGN = 'workshop.foreign'
+export const DRAFT = 'workshop.draft'
+
+/** A code in an editor. */
+export interface Draft {
+  code: string
+  /** Somebody else wrote it, or what it was made of. */
+  foreign: boolean
+}
+
+/** What the browser keeps of a code; nothing of it is somebody's own unless that stands there. */
+export function recallDraft(key: string): Draft | null {
+  try {
+    const found = JSON.parse(recall(key) ?? 'null') as Partial<Draft> | null
+    return typeof found?.code === 'string' ? { code: found.code, foreign: found.foreign !== false } : null
+  } catch {
+    return null
+  }
+}
+
+/** Keeps a code, and whose it is, in one: another tab writes there too. */
+export const rememberDraft = (key: string, { code, foreign }: Draft): void => remember(key, JSON.stringify({ code, foreign }))
 
 const CODE = '&page.code='
 
@@ -77,11 +95,12 @@ export async function mayOpenAll(own: OwnStore, packed: readonly string[], addre
 async function mayRunCode(own: OwnStore, carrier: string, link: string): Promise<Answer<boolean>> {
   const answer = await own.api.codeIn(carrier)
   if (!answer.ok) return answer
-  const code = answer.value
-  if (code === null) return { ok: true, value: true }
-  const isMine = code === recall(DRAFT) && recall(FOREIGN) !== 'yes'
+  if (answer.value === null) return { ok: true, value: true }
+  const code = withLines(answer.value)
+  const draft = recallDraft(DRAFT)
+  const isMine = draft?.code === code && !draft.foreign
   if (!own.seen.has(code) && !isMine) {
-    own.offer = { code, link, file: null }
+    own.bring({ code, link, file: null })
     return { ok: true, value: false }
   }
   const read = await readCode(own, code)
@@ -91,13 +110,11 @@ async function mayRunCode(own: OwnStore, carrier: string, link: string): Promise
 /** The offered code may run from now on. */
 export function accept(own: OwnStore, { code }: Offer): void {
   own.seen.add(code)
-  own.foreign.add(code)
   own.offer = null
 }
 
 /** It is looked at where it can be changed. */
 export function edit(own: OwnStore, offer: Offer): void {
-  own.foreign.add(offer.code)
   own.pending = offer
   own.offer = null
 }

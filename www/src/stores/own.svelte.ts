@@ -10,6 +10,9 @@ export interface Offer {
   file: string | null
 }
 
+/** A text with the line ends of an editor. */
+export const withLines = (text: string): string => text.replace(/\r\n?/g, '\n')
+
 /** A link brings the code of its planner. */
 export const carriesCode = (link: string): boolean => link.includes('&page.code=')
 
@@ -19,7 +22,7 @@ export class OwnStore {
   readonly planners = new Map<string, OwnPlanner>()
   /** Codes that may run: the user has seen them. */
   readonly seen = new Set<string>()
-  /** Those of them that came from elsewhere. */
+  /** Codes that came from elsewhere, whether they may run or not. */
   readonly foreign = new Set<string>()
   /** What the user writes runs without an interpreter. */
   full = $state(false)
@@ -31,6 +34,13 @@ export class OwnStore {
     readonly api: Questions,
     readonly setup: { catalogue: Catalogue | null },
   ) {}
+
+  /** Shows a code that somebody else brings. Its lines end as those of an editor do: so it is known again. */
+  bring(offer: Offer): void {
+    const code = withLines(offer.code)
+    this.foreign.add(code)
+    this.offer = { ...offer, code }
+  }
 
   /** Puts a planner into the catalogue, in the place of another one of its name. */
   put(planner: OwnPlanner): void {

@@ -9,14 +9,12 @@ import type { Variable } from '../text/variables'
 import { changes } from '../text/variables'
 import { perLab } from './context.svelte'
 import type { Lab } from './lab.svelte'
-import { DRAFT, FOREIGN, readCode } from './own-code'
+import { DRAFT, type Draft, readCode, recallDraft, rememberDraft } from './own-code'
 import { unlessGone } from './questions'
 import { recall, remember } from './storage'
 
 /** Where the browser keeps what was in the editor before. */
 const LAST = 'workshop.last'
-/** Whether that is somebody else's. */
-const LAST_FOREIGN = 'workshop.last.foreign'
 /** After so many milliseconds without a key the code is run. */
 const PAUSE = 700
 
@@ -57,16 +55,14 @@ export class Workshop {
   /** What is in the editor. */
   text = $state.raw('')
   /** What was in the editor before another code took its place. */
-  last = $state.raw(recall(LAST))
+  last = $state.raw(recallDraft(LAST))
   /** The name of the template that it was made of. */
   template = $state('')
   /** Somebody else wrote it, or what it was made of. */
-  foreign = $state(recall(FOREIGN) === 'yes')
+  foreign = $state(false)
   auto = $state(recall('workshop.auto') !== 'no')
   /** What is wrong with the code that was read last. */
   private refused = $state.raw<Problem | null>(null)
-  /** It is being read. */
-  reading = $state(false)
   lines = $state.raw<readonly Line[]>([])
   changed = $state.raw<Changed | null>(null)
   /** What the checks of the planner found. */
@@ -76,8 +72,6 @@ export class Workshop {
   private checks: AbortController | null = null
   private timer: ReturnType<typeof setTimeout> | undefined
   private request = 0
-  /** The page runs it without an interpreter. */
-  private full = false
 
   /** The planner that the page runs, if somebody wrote it. */
   readonly planner = $derived.by<OwnPlanner | null>(() => (isOwn(this.lab.setup.planner) ? this.lab.setup.planner : null))
@@ -98,26 +92,26 @@ export class Workshop {
   initialize(first: string): void {
     if (this.text !== '') return
     const { planner } = this
-    this.text = recall(DRAFT) ?? first
+    const draft: Draft = recallDraft(DRAFT) ?? { code: first, foreign: false }
+    this.text = draft.code
+    this.foreign = draft.foreign
     // What was written here before is kept.
     if (planner) this.setCode(planner.code, false, this.lab.own.foreign.has(planner.code))
   }
 
   /** Puts the code of before into the editor. */
   restoreLast = (): void => {
-    if (this.last) this.setCode(this.last, true, recall(LAST_FOREIGN) === 'yes')
+    if (this.last) this.setCode(this.last.code, true, this.last.foreign)
   }
 
   /** Puts a code into the editor. `run`: it runs at once. What was there is kept. */
   setCode(code: string, run: boolean, foreign = false): void {
     if (this.text !== code && this.text !== '') {
-      this.last = this.text
-      remember(LAST, this.text)
-      remember(LAST_FOREIGN, this.foreign ? 'yes' : 'no')
+      this.last = { code: this.text, foreign: this.foreign }
+      rememberDraft(LAST, this.last)
     }
     this.template = ''
     this.foreign = foreign
-    remember(FOREIGN, foreign ? 'yes' : 'no')
     this.save(code)
     this.refused = null
     if (run) void this.apply()
@@ -128,7 +122,7 @@ export class Workshop {
     this.stopChecks()
     this.checked = null
     this.text = code
-    remember(DRAFT, code)
+    rememberDraft(DRAFT, { code, foreign: this.foreign })
   }
 
   /** The code was changed. `brought`: what was pasted of that. */
@@ -145,9 +139,8 @@ export class Workshop {
     const copied = brought.trim()
     if ([...own.foreign].some((one) => one.trim() === code.trim() || (copied.length > SHORT && one.includes(copied)))) {
       this.foreign = true
-      remember(FOREIGN, 'yes')
     } else if (own.full && !this.foreign && copied.length > SHORT && !this.text.includes(copied)) {
-      own.full = false
+      own.disableFullSpeed()
       notices.text = text.pasted
     }
   }
@@ -161,14 +154,16 @@ export class Workshop {
 
   /** With or without an interpreter. */
   setFullSpeed = (full: boolean): void => {
-    this.lab.own.full = full
+    if (full) this.lab.own.full = true
+    else this.lab.own.disableFullSpeed()
     if (this.lab.notices.text === text.pasted) this.lab.notices.text = ''
     void this.apply()
   }
 
   /** Runs the code, from where the run is. */
   run = async (): Promise<void> => {
-    const brings = this.lab.own.pending?.code === this.text
+    const { pending } = this.lab.own
+    const brings = pending?.code === this.text && pending.link !== null
     await this.apply()
     // Pressed, it goes on, or begins again where it is over; what came with a link stands where that says.
     if (this.refused === null && !brings) this.lab.playback.play()
@@ -179,21 +174,18 @@ export class Workshop {
     clearTimeout(this.timer)
     this.request += 1
     const { request, text: code } = this
-    this.reading = true
     if (this.foreign) this.lab.own.foreign.add(code)
     const full = this.lab.own.full && !this.foreign
-    const runs = this.current && full === this.full
+    const runs = this.current && full === this.lab.atFullSpeed
     const answer = await readCode(this.lab.own, code, full).catch(unlessGone)
     if (request !== this.request) return
-    this.reading = false
     this.refused = answer && !answer.ok ? problemOf(answer.refusal) : null
-    if (!answer?.ok || runs) return
-    this.full = full
+    if (!answer?.ok) return
     const { pending } = this.lab.own
     this.lab.own.pending = null
     // It came with a run.
     if (pending?.link && pending.code === code) void this.lab.openLink(pending.link)
-    else this.lab.setup.runOwn(answer.value)
+    else if (!runs) this.lab.setup.runOwn(answer.value)
   }
 
   /** Checks whether the planner keeps to what planners must, on the scene that is shown if it ships. */

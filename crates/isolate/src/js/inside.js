@@ -97,6 +97,8 @@ globalThis.inside = {
       return stringify({ code: 'refused', field, value, allowed, message })
     }
   },
+  /** What the author wrote, without the code: looked at once more outside, for the code may have changed what looks at it here. */
+  written: () => stringify(planner, (_, value) => (typeof value === 'function' ? 'code' : value)),
   start: (scene, params, seed, low, high) =>
     host.start(parse(scene), parse(params), seed, low && new Float64Array(low), high && new Float64Array(high)),
   advance: (id) => host.advance(id),

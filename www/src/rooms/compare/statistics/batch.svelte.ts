@@ -1,6 +1,6 @@
 import type { Scene } from 'forage-lab'
 import { batch as text } from '../../../locales/en/batch'
-import { codeOf } from '../../../catalogue/own'
+import { codeOf, isOwn } from '../../../catalogue/own'
 import { perLab } from '../../../stores/context.svelte'
 import type { Lab } from '../../../stores/lab.svelte'
 import type { Ending, Errand, Row } from '../../../engine/trial.protocol'
@@ -139,11 +139,11 @@ export class Batch {
     }
   }
 
-  /** What the rows of a key have in common, whatever page they were computed in: the core, planner, ground and parameters. */
+  /** What the rows of a key have in common, whatever page they were computed in: the core, planner and its code, ground and parameters. */
   private nameOf(key: string): string {
     const { standings, allowance } = this.comparison
     const { planner, params, scene, maps } = standings.find((candidate) => candidate.key === key) ?? {}
-    const common = [CORE_VERSION, planner?.name, maps ?? scene, params]
+    const common = [CORE_VERSION, planner?.name, maps ?? scene, params, ...(isOwn(planner) ? [planner.code] : [])]
     return JSON.stringify(allowance === null ? common : [...common, allowance])
   }
 
