@@ -173,6 +173,8 @@ class Isolate {
         if (performance.now() > this.deadline) throw Object.assign(new Error(tooLong(limit)), { stopped: 'time' })
       }
       const state = type === 'module' ? this.context.getPromiseState(value) : undefined
+      // Without memory a promise is never kept.
+      if (state?.type === 'pending') throw Object.assign(new Error(`it awaits what never comes, or ${tooMuch}`), { isFault: true })
       if (state?.type === 'rejected') {
         const error = state.error
         this.valueOf({ error }, limit)

@@ -5,6 +5,7 @@ import { interpreter } from './parts.js'
 export { codeIn, withCode } from './own/link.js'
 export { mathematics, stateOf } from './own.js'
 export { powerBy, withPowers } from '../crates/isolate/src/js/powers.js'
+export { shown } from '../crates/isolate/src/js/shown.js'
 
 /** Adds a planner by its code, which runs in an interpreter of its own. */
 export const registerCode = (code, { onprint } = {}) =>

@@ -52,18 +52,36 @@ test('a planner is written from a template, changed where the run is, and raced'
   // Undone, the code of before runs again, with the same bits.
   await page.getByTestId('fork-undo').click()
   await expect(lab.root).toHaveAttribute('data-hash', before)
+  await expect(page.getByTestId('editor')).not.toContainText('* 0.5')
   await page.getByTestId('redo').click()
   await expect(lab.root).toHaveAttribute('data-hash', after)
+  await expect(page.getByTestId('template')).toHaveValue('Hill climber (edited)')
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+  await behind(page, '* 0.5')
+  await page.keyboard.type(' * 0.9')
+  await expect(page.getByTestId('fork')).toContainText('iteration 40')
+  await lab.settled(40)
 
   // Another room does not make it forget what can be undone.
   await page.getByTestId('view-lab').click()
   await page.getByTestId('view-workshop').click()
-  await expect(page.getByTestId('template')).toHaveValue('Hill climber (edited)')
   await page.getByTestId('editor').click()
   await page.keyboard.press('Control+z')
-  await expect(page.getByTestId('template')).toHaveValue('Hill climber')
+  await expect(page.getByTestId('editor')).not.toContainText('* 0.9')
   await page.keyboard.press('Control+y')
+  await expect(page.getByTestId('editor')).toContainText('* 0.9')
+  // Keys of the page are the editor's there.
+  await page.keyboard.type('?')
+  await expect(page.getByTestId('keys-dialog')).toHaveCount(0)
+  await page.keyboard.press('Backspace')
   await expect(page.getByTestId('state')).toContainText('The page runs this code')
+
+  // Both codes are raced.
+  await expect(page.getByTestId('fork')).toBeVisible()
+  await page.getByTestId('fork-compare').click()
+  await expect(page.getByTestId('lane')).toHaveCount(2)
+  await expect(page.getByTestId('lane').first()).toContainText('Hill climber (before)')
+  await page.getByTestId('view-workshop').click()
 
   await page.getByTestId('race-own').click()
   await expect(page.getByTestId('lane')).toHaveCount(2)

@@ -23,10 +23,11 @@ use rquickjs::{
 
 const INSIDE: &str = include_str!("js/inside.js");
 /// What the inside consists of, by name.
-const PARTS: [(&str, &str); 3] = [
+const PARTS: [(&str, &str); 4] = [
     ("./describe.js", include_str!("js/describe.js")),
     ("./host.js", include_str!("js/host.js")),
     ("./powers.js", include_str!("js/powers.js")),
+    ("./shown.js", include_str!("js/shown.js")),
 ];
 /// What an author may import.
 const FORAGE: (&str, &str) = ("forage-lab", "export const register = globalThis.register");

@@ -78,33 +78,45 @@ export async function readCode(own: OwnStore, code: string, full = false): Promi
   return { ok: true, value: planner }
 }
 
-/** Whether a link's run may begin. A code that the user has not seen is offered first. */
-export const mayOpenLink = async (own: OwnStore, link: string): Promise<Answer<boolean>> =>
+/** Where a code says what its planner is called. */
+const NAME = /(\bname:\s*)(['"])([a-z][\w-]*)\2/
+const TITLE = /(\btitle:\s*)(['"])((?:(?!\2)[^\\\n])*)\2/
+
+/** Makes an earlier code known by another name, so that both can be compared; null where its name is not simply written out. */
+export async function earlier(own: OwnStore, code: string, words: (title: string) => string): Promise<string | null> {
+  if (!NAME.test(code)) return null
+  const renamed = code
+    .replace(NAME, '$1$2$3-before$2')
+    .replace(TITLE, (_, at: string, quote: string, title: string) => at + quote + words(title) + quote)
+  if (own.foreign.has(code)) own.foreign.add(renamed)
+  const read = await readCode(own, renamed)
+  return read.ok ? read.value.name : null
+}
+
+/** What is to be offered before a link's run may begin: a code that the user has not seen. */
+export const mayOpenLink = async (own: OwnStore, link: string): Promise<Answer<Offer | null>> =>
   mayRunCode(own, isShortened(link) ? await restored(link) : link, link)
 
 /** The same of an address with several codes, as links have them. */
-export async function mayOpenAll(own: OwnStore, packed: readonly string[], address: string): Promise<Answer<boolean>> {
+export async function mayOpenAll(own: OwnStore, packed: readonly string[], address: string): Promise<Answer<Offer | null>> {
   for (const one of packed) {
     const allowed = await mayRunCode(own, `#${CODE}${one}`, address)
-    if (!allowed.ok || !allowed.value) return allowed
+    if (!allowed.ok || allowed.value) return allowed
   }
-  return { ok: true, value: true }
+  return { ok: true, value: null }
 }
 
 /** The code in `carrier`, which came with a link. */
-async function mayRunCode(own: OwnStore, carrier: string, link: string): Promise<Answer<boolean>> {
+async function mayRunCode(own: OwnStore, carrier: string, link: string): Promise<Answer<Offer | null>> {
   const answer = await own.api.codeIn(carrier)
   if (!answer.ok) return answer
-  if (answer.value === null) return { ok: true, value: true }
+  if (answer.value === null) return { ok: true, value: null }
   const code = withLines(answer.value)
   const draft = recallDraft(DRAFT)
   const isMine = draft?.code === code && !draft.foreign
-  if (!own.seen.has(code) && !isMine) {
-    own.bring({ code, link, file: null })
-    return { ok: true, value: false }
-  }
+  if (!own.seen.has(code) && !isMine) return { ok: true, value: { code, link, file: null } }
   const read = await readCode(own, code)
-  return read.ok ? { ok: true, value: true } : read
+  return read.ok ? { ok: true, value: null } : read
 }
 
 /** The offered code may run from now on. */

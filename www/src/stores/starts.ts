@@ -62,14 +62,17 @@ export class Starts {
     this.opening += 1
     const read = this.awaited.add(
       async () => {
-        const allowed = carriesCode(link) ? await (await import('./own-code')).mayOpenLink(this.stores.own, link) : null
-        if (allowed?.ok === false) return allowed
-        if (allowed?.value === false) return null
+        const offer = carriesCode(link) ? await (await import('./own-code')).mayOpenLink(this.stores.own, link) : null
+        if (offer?.ok === false) return offer
+        if (offer?.value) return offer.value
         return this.stores.api.parseLink(isShortened(link) ? await restored(link) : link)
       },
       (answer) => {
         // A code is to be seen first.
-        if (answer === null) return
+        if ('code' in answer) {
+          if (!this.requests.replaced(request, 'setup')) this.stores.own.bring(answer)
+          return
+        }
         opened = answer.ok
         if (!answer.ok) this.stores.notices.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))
         else if (!this.requests.replaced(request, 'setup')) {

@@ -38,6 +38,9 @@ export interface Changed {
   same: number
 }
 
+/** What is said before it where a planner could not start. */
+const BEFORE_IT = /^planner: .* must be one whose code starts: (.+)$/s
+
 /** Where a message says in which line it is. */
 const LINE = / \(line (\d+)\)/
 
@@ -45,7 +48,7 @@ function problemOf({ message, line, column }: Pick<Refusal, 'message' | 'line' |
   const said = message.replace(/^code: /, '')
   const at = line ?? (Number(LINE.exec(said)?.[1]) || null)
   // Of a run that failed it is quoted.
-  const core = /“(.+)”/s.exec(said)?.[1] ?? said
+  const core = /“(.+)”/s.exec(said)?.[1] ?? BEFORE_IT.exec(said)?.[1] ?? said
   const meaning = EXPLANATIONS.find(([pattern]) => pattern.test(core))?.[1] ?? ''
   return { message: core, line: at, column: column ?? null, meaning }
 }
@@ -115,6 +118,14 @@ export class Workshop {
     this.save(code)
     this.refused = null
     if (run) void this.apply()
+  }
+
+  /** Another code runs than before: undone, say. If the editor had what ran before, it has what runs now. */
+  follow(before: string | undefined, now: string): void {
+    if (before !== this.text || now === this.text) return
+    this.foreign = this.lab.own.foreign.has(now)
+    this.refused = null
+    this.save(now)
   }
 
   private save(code: string): void {

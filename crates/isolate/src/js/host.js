@@ -242,6 +242,12 @@ export function hostOf(planner, layers, lend) {
     states.set(id, { state, tools })
     return id
   }
+  const keptOf = (id) => {
+    const kept = states.get(id)
+    // Where a copy failed, there is none.
+    if (!kept) throw new Error('its states could not be kept: together they need more than 64 MB')
+    return kept
+  }
   const plain = (state) => {
     if (typeof state !== 'object' || state === null) throw new TypeError(`the state is ${nameOf(state)}: it must be an object`)
     mustBePlain(state, 'state', 0)
@@ -249,13 +255,13 @@ export function hostOf(planner, layers, lend) {
   }
   return {
     /** What is kept of a state, for those who look into it. */
-    state: (id) => states.get(id)?.state,
+    state: (id) => keptOf(id).state,
     start(scene, params, seed, low, high) {
       const tools = toolsOf(lend, { scene, params, seed, low, high }, finish)
       return keep(plain(planner.start(tools)), tools)
     },
     advance(id) {
-      const kept = states.get(id)
+      const kept = keptOf(id)
       finished = false
       const after = planner.advance(kept.state, kept.tools)
       // Code may change the state in place.
@@ -263,13 +269,13 @@ export function hostOf(planner, layers, lend) {
       plain(kept.state)
       return finished ? -id : id
     },
-    best: (id) => handedOver(planner.best(states.get(id).state)),
+    best: (id) => handedOver(planner.best(keptOf(id).state)),
     readings(id) {
-      const { state } = states.get(id)
+      const { state } = keptOf(id)
       return Float64Array.from(planner.readings ?? [], ({ value }) => Number(value(state)))
     },
     draw(id) {
-      const { state, tools } = states.get(id)
+      const { state, tools } = keptOf(id)
       const { pen, pieces } = penOf(layers)
       if (planner.draw) planner.draw(state, pen, tools)
       else {
@@ -286,7 +292,7 @@ export function hostOf(planner, layers, lend) {
       return pieces
     },
     explain(id, layer, index) {
-      const { state, tools } = states.get(id)
+      const { state, tools } = keptOf(id)
       const said = planner.explain?.(state, { layer, index }, tools)
       if (said === undefined || said === null) return null
       const { title, summary, values } = typeof said === 'object' ? said : { summary: said }
@@ -295,11 +301,11 @@ export function hostOf(planner, layers, lend) {
       return [textOf(title) || `${named} ${index + 1}`, textOf(summary), numbers]
     },
     copy(id) {
-      const { state, tools } = states.get(id)
+      const { state, tools } = keptOf(id)
       return keep(copied(state), tools)
     },
     forget: (id) => void states.delete(id),
-    digest: (id) => digestOf(states.get(id).state),
-    size: (id) => sizeOf(states.get(id).state),
+    digest: (id) => digestOf(keptOf(id).state),
+    size: (id) => sizeOf(keptOf(id).state),
   }
 }

@@ -5,6 +5,7 @@
 import { describe } from './describe.js'
 import { hostOf, mathBy } from './host.js'
 import { powerBy, withPowers } from './powers.js'
+import { shown } from './shown.js'
 
 const { lent, list, print } = globalThis.outside
 delete globalThis.outside
@@ -45,14 +46,6 @@ guard(String, ['raw'], (_, { raw }) => raw?.length > 1e7)
 const isLong = (text, sought) => typeof sought === 'string' && sought.length * String(text).length > 1e9
 guard(String.prototype, 'indexOf lastIndexOf includes split replace replaceAll'.split(' '), isLong)
 
-const shown = (value) => {
-  if (typeof value === 'string') return value
-  try {
-    return stringify(value) ?? String(value)
-  } catch {
-    return String(value)
-  }
-}
 const log = (...values) => print(values.map(shown).join(' ').slice(0, 1000))
 delete globalThis.SharedArrayBuffer
 delete globalThis.Atomics

@@ -32,8 +32,8 @@ printing.onstep = (iteration) => {
   for (const one of known.values()) one.lines = one.lines.filter((line) => line.iteration < iteration)
 }
 
-async function read(code: string, full: boolean): Promise<Known> {
-  const last = [...known.values()].find((one) => one.code === code && one.full === full)
+async function read(code: string, full?: boolean): Promise<Known> {
+  const last = [...known.values()].find((one) => one.code === code && (full === undefined || one.full === full))
   if (last) return last
   let lines: Line[] = []
   let found: Known | undefined
@@ -44,13 +44,13 @@ async function read(code: string, full: boolean): Promise<Known> {
     else lines = [...lines, { ...line, iteration: -1 }].slice(-LINES)
   }
   const described = full ? await registerPlain(code, onprint) : await registerCode(code, { onprint })
-  found = { code, full, described, lines }
+  found = { code, full: full === true, described, lines }
   known.set(described.name, found)
   return found
 }
 
-/** Makes a code's planner known. Fails with what is wrong in it. */
-export function loadPlanner(code: string, full = false): Promise<Known> {
+/** Makes a code's planner known: with or without an interpreter, or as it is known already. Fails with what is wrong in it. */
+export function loadPlanner(code: string, full?: boolean): Promise<Known> {
   const found = queue.then(() => read(code, full))
   queue = found.catch(() => undefined)
   return found
@@ -70,10 +70,9 @@ export function statesOf(session: Session): States | null {
   printing.muted = true
   try {
     session.seek(iteration - 1)
-    const before = stateOf(session)
-    session.seek(iteration)
-    return { iteration, before, now }
+    return { iteration, before: stateOf(session), now }
   } finally {
+    session.seek(iteration)
     printing.muted = false
   }
 }

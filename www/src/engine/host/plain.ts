@@ -1,6 +1,6 @@
 /* A planner's code without an interpreter around it. Only for what the user wrote, and only after a question. */
 import { type Planner, register } from 'forage-lab'
-import { mathematics, powerBy, withPowers } from 'forage-lab/isolate'
+import { mathematics, powerBy, shown, withPowers } from 'forage-lab/isolate'
 
 type Functions = Record<string, unknown>
 
@@ -35,8 +35,6 @@ function withLines(planner: Functions): Functions {
   ])
   return Object.fromEntries(entries) as Functions
 }
-
-const shown = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? String(value)))
 
 /** What only shows something throws with each picture: it is printed once. */
 function complain(line: string): void {

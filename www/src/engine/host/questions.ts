@@ -27,7 +27,7 @@ import { breathe } from './pace'
 import type { States } from './own'
 import type { RunHost } from './run-host'
 import { rest } from './rest'
-import { codeInLinks, registered } from './setups'
+import { registered } from './setups'
 
 type Values = Record<string, ParameterValue>
 
@@ -71,7 +71,7 @@ export function questionsTo(host: RunHost) {
     /** What a planner is whose code this is, and the code as links have it; null where it is too long for one. */
     async read(code: string): Promise<Answer<{ planner: Planner; packed: string | null }>> {
       const own = await import('./own')
-      const link = await codeInLinks({ planner: '', scene: '', code })
+      const link = await within(() => own.withCode('', code))
       return within(async () => ({ planner: (await own.loadPlanner(code)).described, packed: link.ok ? link.value : null }))
     },
     /** The code in a link; null where it has none. */
@@ -115,8 +115,8 @@ export function questionsTo(host: RunHost) {
     },
     /** `code`: of the link's planner, if it is nobody else's. */
     async parseLink(link: string, code?: string): Promise<Answer<LinkSetup>> {
-      const plain = await registered({ planner: '', scene: '', code })
-      if (!plain.ok) return plain
+      const known = await within(async () => code !== undefined && (await import('./own')).loadPlanner(code))
+      if (!known.ok) return known
       // What reads links needs no words, unless it refuses one.
       await (await rest()).loadCode('links').catch(() => undefined)
       return silently(() => parseLink(link))

@@ -4,6 +4,8 @@ export const forks = {
   before: (value: string, iteration: string) => `before the change: ${value}, iteration ${iteration}`,
   undo: 'Undo',
   compare: 'Open both in Compare',
+  /** The title of the planner with the code of before. */
+  earlier: (planner: string) => `${planner} (before)`,
   otherScene: 'Their scenes are of different kinds.',
   dismiss: 'Hide the run before',
 } as const

@@ -60,6 +60,7 @@ export const workshop = {
   edited: (template: string) => `${template} (edited)`,
   still: (planner: string) => `Still shown: ${planner}`,
   unknown: 'Press Run to see this planner at work.',
+  other: (planner: string) => `Still shown: ${planner}, by the code of before.`,
   at: (line: number) => `Line ${line}`,
   go: (line: number) => `Go to line ${line}`,
   large: 'The code is too long for a link. Save it as a file to pass it on.',
@@ -82,6 +83,7 @@ export const workshop = {
 
 /** What usual errors mean, for somebody who begins. The first that fits is said. */
 export const EXPLANATIONS: readonly (readonly [RegExp, string])[] = [
+  [/must call `register/, 'Write register({ … }) with what the planner is, or choose a template to begin with.'],
   [/^ReferenceError: '?register'? is not defined/, 'The file has to begin with: import { register } from ‘forage-lab’'],
   [
     /^ReferenceError: '?(fetch|document|window|XMLHttpRequest|localStorage|setTimeout|setInterval|process|require)'? is not defined/,

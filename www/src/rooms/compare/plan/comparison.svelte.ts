@@ -207,17 +207,20 @@ export class Comparison {
     const request = this.requests.note(GROUND)
     this.as = SIGHTS.find((sight) => sight === keys.get('as')) ?? this.as
     const { api, own } = this.lab
-    this.opening = true
     const codes = keys.get(CODES)?.split(',') ?? []
-    const allowed = await mayOpenAll(own, codes.slice(0, MOST_ENTRANTS), addressOf(keys))
-    if (allowed.ok && !allowed.value) {
-      // Its codes are to be seen first.
-      this.opening = false
-      this.begin()
-      return
+    const read = async (): Promise<Awaited<ReturnType<typeof planOf>>> => {
+      const allowed = await mayOpenAll(own, codes.slice(0, MOST_ENTRANTS), addressOf(keys))
+      if (!allowed.ok) return { plan: null, wrong: [allowed.refusal.message] }
+      if (allowed.value) {
+        // Its codes are to be seen first.
+        if (!this.requests.replaced(request, GROUND)) own.bring(allowed.value)
+        return { plan: null, wrong: [] }
+      }
+      const catalogue = this.lab.setup.catalogue ?? before
+      return planOf(keys, { catalogue, api, map: (maps, seed) => this.worker.map(maps, seed) })
     }
-    const { catalogue = before } = this.lab.setup
-    const { plan, wrong } = await planOf(keys, { catalogue: catalogue ?? before, api, map: (maps, seed) => this.worker.map(maps, seed) })
+    this.opening = true
+    const { plan, wrong } = await read()
       .catch((error: unknown) => ({ plan: null, wrong: [error instanceof Error ? error.message : String(error)] }))
       .finally(() => {
         this.opening = false
@@ -371,7 +374,7 @@ export class Comparison {
     const { scene } = planFor(entrant, plan)
     const params = applicable(planner, scene, { ...entrant.params, [name]: value })
     try {
-      const refusal = await this.worker.check({ planner: planner.name, scene, params, seed: 1 })
+      const refusal = await this.worker.check({ planner: planner.name, scene, params, seed: 1, ...codeOf(planner), full: false })
       if (this.requests.replaced(request, `${slot} ${name}`, `${slot}`)) return ''
       if (refusal?.field === name) return refusal.message
     } catch (error) {
