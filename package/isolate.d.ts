@@ -7,7 +7,8 @@ import type { Described, Tools } from './planner.js'
  * each step, 300 ms for what shows it, and 64 MB at most. `Math` has the bits of the core there. For code that comes from somebody else.
  *
  * Where a step takes longer the run ends as `failed`, and says so. What the code prints by `console.log` goes to `onprint`, and
- * what is wrong with its `draw` and `explain`, which end no run.
+ * what is wrong with its `draw` and `explain`, which end no run. Steps that are computed once more, for the way back or a curve, print
+ * once more.
  *
  * Throws an `Error` with the `line` and `column` where the code is wrong, or the `field` of what it says of itself, and `stopped`, which
  * is `time` or `memory`, where it was stopped.

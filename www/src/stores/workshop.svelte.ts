@@ -89,6 +89,13 @@ export class Workshop {
     return outcome?.status === 'failed' && !this.lab.playback.stale ? problemOf({ message: outcome.trouble ?? '' }) : null
   })
 
+  /** The name of the scene that is shown, if it ships. */
+  readonly shipped = $derived.by<string | null>(() => {
+    const { present } = this.lab.scene
+    const ships = present !== null && (this.lab.setup.catalogue?.scenes.some((scene) => sameScene(scene, present)) ?? false)
+    return ships ? present.name : null
+  })
+
   constructor(private readonly lab: Lab) {}
 
   /** What there is to edit at first: what runs, what was written here before, or this. */
@@ -201,18 +208,15 @@ export class Workshop {
 
   /** Checks whether the planner keeps to what planners must, on the scene that is shown if it ships. */
   check = async (): Promise<void> => {
-    const { planner, lab } = this
+    const { planner } = this
     if (!planner) return
     this.stopChecks()
     const checks = new AbortController()
     this.checks = checks
     this.checking = true
     this.checked = null
-    const { present } = lab.scene
-    const ships = present !== null && (lab.setup.catalogue?.scenes.some((scene) => sameScene(scene, present)) ?? false)
-    const scene = ships ? present.name : null
     try {
-      const answer = await pool().run<Answer<Conformance>>((api) => api.conform(planner.code, scene), { signal: checks.signal })
+      const answer = await pool().run<Answer<Conformance>>((api) => api.conform(planner.code, this.shipped), { signal: checks.signal })
       if (this.checks !== checks) return
       if (answer.ok) this.checked = answer.value
       else this.refused = problemOf(answer.refusal)

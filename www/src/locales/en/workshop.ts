@@ -49,7 +49,7 @@ export const workshop = {
       'Does the planner keep to what planners must? The same seed has to be the same run, the way back has to lead to the same states, and the best cost never rises.',
     start: 'Check the planner',
     stop: 'Stop',
-    busy: 'Checking on this scene, with two seeds …',
+    busy: (here: boolean) => `Checking on ${here ? 'this scene' : 'shipped scenes, since this one is none of them'}, with two seeds …`,
     all: (count: number) => `It keeps to all ${count} checks.`,
     some: (violations: number) =>
       violations === 1 ? 'It does not keep to one check.' : `It does not keep to the checks, in ${violations} cases.`,
