@@ -308,6 +308,23 @@ for (const [title, code, message] of [
   })
 }
 
+test('where something built in does not end, the run of before stays', async ({ lab, page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await page.getByTestId('play').click()
+  const hash = await lab.seek(20)
+  await behind(page, 'const cost = evaluate(tried)')
+  await page.keyboard.type('\n')
+  await page.keyboard.insertText('const all = Object.fromEntries(Array.from({ length: 1e5 }, (_, k) => [k, k])); for (;;) Object.keys(all)')
+  await expect(page.getByTestId('problem')).toContainText('could not be stopped', { timeout: 20_000 })
+  await expect(page.getByTestId('editor')).toContainText('for (;;)')
+  expect(await lab.settled(20)).toBe(hash)
+  // Mended, it runs.
+  await page.keyboard.press('Control+z')
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+  expect(await lab.settled(20)).toBe(hash)
+})
+
 test('at full speed, after a question, the bits are the same, and an endless loop goes back to the interpreter', async ({ lab, page }) => {
   await opened(page, template('pso'))
   await run(page)

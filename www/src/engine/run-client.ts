@@ -36,6 +36,8 @@ export interface Listeners {
   onbroken(message: string): void
   /** The thread did not receive what it was sent; another one takes its place. `slowed`: with an interpreter around the code. */
   onreplaced(slowed: boolean): void
+  /** A step of somebody's code did not end: the run is where it was before. Absent: that is a breakdown. */
+  onstuck?(): void
 }
 
 /** How often a thread is asked for a sign of life in which somebody's code runs, in milliseconds. */
@@ -89,6 +91,8 @@ export class RunClient {
   /** The request for subtasks that the next step waits for. */
   private needed = 0
   private lastProgress = 0
+  /** The number of a start whose code did not end: it is refused once the run of before is there again. */
+  private stuck = 0
   private heartbeat: ReturnType<typeof setInterval> | undefined
 
   constructor(
@@ -275,6 +279,9 @@ export class RunClient {
       }
     }
     this.listeners.onreport(report)
+    if (!report.run || this.stuck === 0) return
+    this.listeners.onrefused({ message: UNSTOPPABLE, field: 'code' }, this.stuck)
+    this.stuck = 0
   }
 
   /** The run of before stays, and goes where it was wanted since. */
@@ -326,15 +333,24 @@ export class RunClient {
   }
 
   private replace(): void {
-    const { setup } = this.begins.at(-1)?.start ?? this.present?.start ?? {}
-    // The same code would not stop again.
-    if (setup?.code !== undefined && !setup.full) {
+    const begin = this.begins.at(-1)
+    const setup = (begin ?? this.present)?.start.setup
+    if (setup?.code === undefined || setup.full) {
+      this.close()
+      this.resume(true)
+      this.listeners.onreplaced(setup?.full ?? false)
+    } else if (this.present && (begin || this.listeners.onstuck)) {
+      // The same code would not stop again: the run of before stays, or this one where it was.
+      this.close()
+      this.begins = []
+      this.resume(false)
+      this.listeners.onreplaced(false)
+      if (begin) this.stuck = begin.version
+      else this.listeners.onstuck?.()
+    } else {
       this.break(UNSTOPPABLE)
       return
     }
-    this.close()
-    this.resume(true)
-    this.listeners.onreplaced(setup?.full ?? false)
     void this.open()
   }
 

@@ -57,6 +57,7 @@ export class Lab {
     onprogress: (progress) => this.receiveProgress(progress),
     onbroken: (message) => this.breakDown(message),
     onreplaced: (slowed) => this.replaced(slowed),
+    onstuck: () => (this.notices.text = en.notices.stopped),
   })
   /** What runs, or is to run, is code without an interpreter around it. */
   get atFullSpeed(): boolean {

@@ -169,6 +169,7 @@ export const en = {
     now: 'Load it',
   },
   notices: {
+    stopped: 'A step of the code did not come to an end. The run is where it was before that step.',
     slowed: 'The code did not come to an end. It runs in the interpreter again, which says where.',
     link: (message: string) => `The link could not be opened: ${message}`,
     hash: (iteration: string, promised: string, found: string) =>
