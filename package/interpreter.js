@@ -19,6 +19,8 @@ const MEMORY = 64
 const STACK = 256 * 1024
 /** How long a step may take, and what only shows something; in milliseconds. */
 const STEP = 900
+/** For our own look at a code, which has an end. */
+const READ = 10_000
 const LOOK = 300
 /** How long a code may be, in characters. */
 const LONGEST = 200_000
@@ -299,10 +301,12 @@ export async function registerCodeBy(code, { compiled, loadCode, onprint }) {
   const [interpreter] = await Promise.all([interpreterBy(compiled), loadCode()])
   const isolate = new Isolate(interpreter, onprint)
   try {
-    const portable = isolate.call('portable', [code], STEP, (value) => isolate.context.getString(value))
+    const portable = isolate.call('portable', [code], READ, (value) => isolate.context.getString(value))
     isolate.run(portable, FILE, STEP, 'module')
   } catch (error) {
-    throw refused(`code: ${error.message}`, { line: error.line, column: error.column, stopped: error.stopped })
+    // Where powers were written as calls the columns are others.
+    const isElsewhere = code.split('\n')[error.line - 1]?.includes('**')
+    throw refused(`code: ${error.message}`, { line: error.line, column: isElsewhere ? undefined : error.column, stopped: error.stopped })
   }
   const text = (value) => isolate.context.getString(value)
   try {

@@ -73,6 +73,22 @@ test('powers are called, and nothing else is another', () => {
   }
 })
 
+test('lines, conditions and members are what they are', () => {
+  for (const [code, written] of [
+    ['i++\nb ** 2', 'i++\npower$(b , 2)'],
+    ['a\n++b ** 2', 'a\npower$(++b , 2)'],
+    ['if (a) (x) ** 2 > 1', 'if (a) power$((x) , 2) > 1'],
+    ['q.if(4) / 2 / g ** 2', 'q.if(4) / 2 / power$(g , 2)'],
+    ['a.with(1) / 2 ** b / c', 'a.with(1) / power$(2 , b) / c'],
+    ['of / 2 / g ** 2', 'of / 2 / power$(g , 2)'],
+    // Unfinished.
+    ['const y = 2 ** (3', 'const y = 2 ** (3'],
+  ])
+    assert.equal(withPowers(code), written)
+  const many = `${'2**'.repeat(2000)}1`
+  assert.equal(withPowers(many).match(/power\$/g).length, 2000)
+})
+
 test('what is no JavaScript is left to the engine, and what is too much said at its place', () => {
   for (const code of ['-a ** b', 'typeof a ** 2', '!a ** 2', '2 ** -a ** 2'])
     assert.throws(() => new Function(withPowers(code)), SyntaxError)

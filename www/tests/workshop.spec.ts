@@ -319,6 +319,15 @@ test('where something built in does not end, the run of before stays', async ({ 
   await expect(page.getByTestId('problem')).toContainText('could not be stopped', { timeout: 20_000 })
   await expect(page.getByTestId('editor')).toContainText('for (;;)')
   expect(await lab.settled(20)).toBe(hash)
+  // Neither is that so of code that does not end when it is read.
+  await page.keyboard.press('Control+z')
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+  await page.keyboard.press('Control+Home')
+  await page.keyboard.insertText(
+    'const all = Object.fromEntries(Array.from({ length: 1e5 }, (_, k) => [k, k])); for (;;) Object.keys(all)\n',
+  )
+  await expect(page.getByTestId('problem')).toContainText('could not be stopped', { timeout: 20_000 })
+  expect(await lab.settled(20)).toBe(hash)
   // Mended, it runs.
   await page.keyboard.press('Control+z')
   await expect(page.getByTestId('state')).toContainText('The page runs this code')

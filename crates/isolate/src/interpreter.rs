@@ -38,6 +38,8 @@ const MEMORY: usize = 64;
 const STACK: usize = 256 * 1024;
 /// How long a step may take.
 pub(crate) const STEP: Duration = Duration::from_millis(900);
+/// For our own look at a code, which has an end.
+const READ: Duration = Duration::from_secs(10);
 /// How long it may take to show something.
 pub(crate) const LOOK: Duration = Duration::from_millis(300);
 /// The longest message of an error, in characters.
@@ -148,7 +150,7 @@ impl Interpreter {
             ctx.store_userdata(Inside(inside)).map(drop).map_err(|_| rquickjs::Error::Unknown)
         })?;
         complete.store(true, Relaxed);
-        let portable = interpreter.call("portable", STEP, [Given::Text(code.to_owned())], |value| value.get::<String>().ok())?;
+        let portable = interpreter.call("portable", READ, [Given::Text(code.to_owned())], |value| value.get::<String>().ok())?;
         interpreter.within(STEP, |ctx| Module::evaluate(ctx.clone(), FILE, portable.unwrap_or_default())?.finish::<()>())?;
         Ok(interpreter)
     }

@@ -128,6 +128,7 @@ export class RunClient {
   /** Another state is wanted; returns the number of this change. */
   want(change: Partial<Desired>): number {
     // Where a start goes is said with it.
+    if (change.start) this.stuck = 0
     return this.change(change.start && change.target === undefined ? { ...change, target: null } : change)
   }
 
@@ -139,14 +140,26 @@ export class RunClient {
     if (change.start || change.target) this.followed = this.version
     if ('item' in change) this.chosen = this.version
     this.post({ is: 'want', version: this.version, change })
-    if (change.start) this.listen(change.start)
+    if (change.start) this.beat()
     return this.version
   }
 
   /** A code may never come to an end: without an interpreter, or within what is built into that. */
-  private listen({ setup }: Start): void {
+  private beat(): void {
+    const runs = (this.begins.at(-1) ?? this.present)?.start.setup.code !== undefined
+    // What has run before has an end, however long it takes.
+    const waits = (runs && !this.isAsked('states')) || this.isAsked('read')
+    if (!waits) this.stopBeating()
+    else this.heartbeat ??= setInterval(() => this.post({ is: 'ping' }), HEARTBEAT)
+  }
+
+  private stopBeating(): void {
     clearInterval(this.heartbeat)
-    if (setup.code !== undefined) this.heartbeat = setInterval(() => this.post({ is: 'ping' }), HEARTBEAT)
+    this.heartbeat = undefined
+  }
+
+  private isAsked(question: keyof Questions): boolean {
+    return this.asked.some(({ name }) => name === question)
   }
 
   /** Whether a report follows the newest start and target. */
@@ -174,6 +187,7 @@ export class RunClient {
       const asked = { number: 0, name, given, resolve, reject }
       this.asked.push(asked)
       this.put(asked)
+      this.beat()
     })
   }
 
@@ -190,7 +204,7 @@ export class RunClient {
   /** Ends the thread; what is wanted is kept for the next one. */
   close(): void {
     this.watchdog.stop()
-    clearInterval(this.heartbeat)
+    this.stopBeating()
     this.subtasks?.drop()
     this.worker?.terminate()
     this.worker = undefined
@@ -291,7 +305,7 @@ export class RunClient {
     if (!present || this.starting) return
     present.target = desired.target ?? present.target
     desired.start = present.start
-    this.listen(present.start)
+    this.beat()
     desired.target = present.target
   }
 
@@ -299,6 +313,7 @@ export class RunClient {
     const asked = this.asked.find((candidate) => candidate.number === number)
     if (!asked) return
     this.asked = this.asked.filter((other) => other !== asked)
+    this.beat()
     if (error === undefined) asked.resolve(value)
     else asked.reject(new Error(error))
   }
@@ -333,13 +348,20 @@ export class RunClient {
   }
 
   private replace(): void {
+    const { present } = this
     const begin = this.begins.at(-1)
-    const setup = (begin ?? this.present)?.start.setup
-    if (setup?.code === undefined || setup.full) {
+    const setup = (begin ?? present)?.start.setup
+    const ownRuns = setup?.code !== undefined && !setup.full
+    const stands = !begin && present?.target.play === false && (present.target.at ?? present.at) === present.at
+    // What was asked that may be why is not asked again.
+    const suspects = this.asked.filter(({ name }) => name === 'states' || (name === 'read' && (stands || !ownRuns)))
+    this.asked = this.asked.filter((one) => !suspects.includes(one))
+    const reads = suspects.filter(({ name }) => name === 'read')
+    if (!ownRuns || suspects.length > 0) {
       this.close()
       this.resume(true)
-      this.listeners.onreplaced(setup?.full ?? false)
-    } else if (this.present && (begin || this.listeners.onstuck)) {
+      this.listeners.onreplaced(reads.length === 0 && (setup?.full ?? false))
+    } else if (present && (begin || this.listeners.onstuck)) {
       // The same code would not stop again: the run of before stays, or this one where it was.
       this.close()
       this.begins = []
@@ -351,6 +373,9 @@ export class RunClient {
       this.break(UNSTOPPABLE)
       return
     }
+    for (const { name, resolve, reject } of suspects)
+      if (name === 'read') resolve({ ok: false, refusal: { message: UNSTOPPABLE, field: 'code' } })
+      else reject(new Gone(UNSTOPPABLE))
     void this.open()
   }
 

@@ -84,7 +84,7 @@ const TITLE = /(\btitle:\s*)(['"])((?:(?!\2)[^\\\n])*)\2/
 
 /** Makes an earlier code known by another name, so that both can be compared; null where its name is not simply written out. */
 export async function earlier(own: OwnStore, code: string, words: (title: string) => string): Promise<string | null> {
-  if (!NAME.test(code)) return null
+  if (NAME.exec(code)?.[3] !== own.planners.get(code)?.name) return null
   const renamed = code
     .replace(NAME, '$1$2$3-before$2')
     .replace(TITLE, (_, at: string, quote: string, title: string) => at + quote + words(title) + quote)

@@ -72,6 +72,8 @@ export class Workshop {
   checked = $state.raw<Conformance | null>(null)
   /** They are being made. */
   checking = $state(false)
+  /** The text before something was taken out last: that may be put in again. */
+  private uncut = ''
   private checks: AbortController | null = null
   private timer: ReturnType<typeof setTimeout> | undefined
   private request = 0
@@ -147,6 +149,7 @@ export class Workshop {
   write = (code: string, brought = ''): void => {
     if (code === this.text) return
     this.checkOrigin(code, brought)
+    if (code.length < this.text.length) this.uncut = this.text
     this.save(code)
     if (this.auto) this.timer = setTimeout(() => void this.apply(), PAUSE)
   }
@@ -157,7 +160,7 @@ export class Workshop {
     const copied = brought.trim()
     if ([...own.foreign].some((one) => one.trim() === code.trim() || (copied.length > SHORT && one.includes(copied)))) {
       this.foreign = true
-    } else if (own.full && !this.foreign && copied.length > SHORT && !this.text.includes(copied)) {
+    } else if (own.full && !this.foreign && copied.length > SHORT && !this.text.includes(copied) && !this.uncut.includes(copied)) {
       own.disableFullSpeed()
       notices.text = text.pasted
     }

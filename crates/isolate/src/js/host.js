@@ -23,11 +23,13 @@ export function mathBy(lent) {
   const one = (name) => (x) => lent(SCALAR[name], +x, 0)
   const two = (name) => (x, y) => lent(SCALAR[name], +x, +y)
   const own = Object.fromEntries(['sin', 'cos', 'exp', 'log', 'acos', 'asin', 'log10'].map((name) => [name, one(name)]))
+  const pow = two('pow')
   const exact = Object.fromEntries(EXACT.map((name) => [name, Math[name]]))
   return Object.freeze({
     ...own,
     ...exact,
-    pow: two('pow'),
+    // As the language has it, unlike other powers.
+    pow: (x, y) => (y !== y || ((x === 1 || x === -1) && (y === Infinity || y === -Infinity)) ? NaN : pow(x, y)),
     atan2: two('atan2'),
     tan: (x) => own.sin(x) / own.cos(x),
     hypot: (...values) => exact.sqrt(values.reduce((sum, x) => sum + x * x, 0)),

@@ -13,30 +13,37 @@ const TEMPLATE = /[`}](?:[^`\\$]|\\[^]|\$(?!\{))*(?:`|\$\{)?/y
 const SIGN = /\*\*=?|\.\.\.|\?\.(?!\d)|\+\+|--|=>|[^]/y
 
 /** Words that no operand ends with: after them a slash begins a regular expression. */
-const OPERATORS = 'return typeof case in of delete void instanceof new do else yield await throw extends'.split(' ')
+const OPERATORS = 'return typeof case in delete void instanceof new do else yield await throw extends'.split(' ')
 const CONDITIONS = ['if', 'while', 'for', 'with']
 const UNARY = ['!', '~', '+', '-', 'typeof', 'void', 'delete', 'await']
 const STEPS = ['++', '--']
 
-/** Texts with their kinds and places; of brackets, the other one. */
+/** Texts with their kinds and places; of brackets, the other one. Nothing where a bracket has no other one. */
 function tokensOf(code) {
   const tokens = []
   const open = []
   let at = 0
+  let isWhole = true
   const read = (pattern) => {
     pattern.lastIndex = at
     return pattern.exec(code)?.[0]
   }
-  const push = (kind, text) => tokens.push({ kind, text, from: at, to: at + text.length })
+  const push = (kind, text) => {
+    const breaks = code.slice(tokens.at(-1)?.to ?? 0, at).includes('\n')
+    tokens.push({ kind, text, from: at, to: at + text.length, breaks })
+  }
   const pair = (index) => {
     const from = open.pop()
-    if (from === undefined) return
+    if (from === undefined) {
+      isWhole = false
+      return
+    }
     tokens[from].end = index
     tokens[index].begin = from
   }
   for (;;) {
     at += read(SPACE)?.length ?? 0
-    if (at >= code.length) return tokens
+    if (at >= code.length) return isWhole && open.length === 0 ? tokens : undefined
     const last = tokens.at(-1)
     const inTemplate = open.length > 0 && tokens[open.at(-1)].kind === 'template'
     let text
@@ -56,7 +63,7 @@ function tokensOf(code) {
       if (')]}'.includes(text)) {
         pair(tokens.length - 1)
         const { begin } = tokens.at(-1)
-        tokens.at(-1).condition = text === ')' && CONDITIONS.includes(tokens[begin - 1]?.text)
+        tokens.at(-1).condition = text === ')' && isOne(tokens[begin - 1], CONDITIONS)
       }
     }
     at += text.length
@@ -79,6 +86,9 @@ function headOf(tokens, index) {
   return index
 }
 
+/** A step of what comes after it, not of what is before. */
+const isStepBefore = (tokens, index) => isOne(tokens[index], STEPS) && (!isOperand(tokens[index - 1]) || tokens[index].breaks)
+
 /** Where the operand begins that ends at `index`; nothing where that is no simple one. */
 function beginOf(tokens, index) {
   let at = index
@@ -92,17 +102,17 @@ function beginOf(tokens, index) {
     const before = tokens[first - 1]
     if (isOne(before, ['.', '?.'])) at = first - 2
     // A call, a member, or a template with a tag.
-    else if ((isBracket || token.kind === 'template') && isOperand(before) && !isOne(before, STEPS)) at = first - 1
+    else if ((isBracket || token.kind === 'template') && isOperand(before) && !before.condition && !isOne(before, STEPS)) at = first - 1
     else {
       let begin = first
-      while (isOne(tokens[begin - 1], ['new', ...STEPS])) begin -= 1
+      while (isOne(tokens[begin - 1], ['new']) || isStepBefore(tokens, begin - 1)) begin -= 1
       return begin
     }
   }
 }
 
-/** Where the operand ends that begins at `index`, with powers after it; nothing where that is no simple one. */
-function endOf(code, tokens, index) {
+/** Where the operand ends that begins at `index`, with the power after it, whose end is in `ends`; nothing where that is no simple one. */
+function endOf(tokens, index, ends) {
   let at = index
   while (isOne(tokens[at], [...UNARY, ...STEPS, 'new'])) at += 1
   let isFirst = true
@@ -120,8 +130,8 @@ function endOf(code, tokens, index) {
     else break
   }
   const next = tokens[at + 1]
-  if (isOne(next, STEPS) && !code.slice(tokens[at].to, next.from).includes('\n')) at += 1
-  return isOne(tokens[at + 1], ['**']) ? endOf(code, tokens, at + 2) : at
+  if (isOne(next, STEPS) && !next.breaks) at += 1
+  return isOne(tokens[at + 1], ['**']) ? ends.get(at + 1) : at
 }
 
 /** A sign, and not one between two operands. */
@@ -136,17 +146,21 @@ function refusal(code, place, message) {
 export function withPowers(code) {
   if (!code.includes('**')) return code
   const tokens = tokensOf(code)
+  if (!tokens) return code
   const edits = []
-  tokens.forEach(({ kind, text, from, to }, index) => {
-    if (kind !== 'sign' || !text.startsWith('**')) return
+  const ends = new Map()
+  for (let index = tokens.length - 1; index >= 0; index -= 1) {
+    const { kind, text, from, to } = tokens[index]
+    if (kind !== 'sign' || !text.startsWith('**')) continue
     if (text === '**=') throw refusal(code, from, '`**=` is not there: write `x = x ** y`')
     const begin = beginOf(tokens, index - 1)
+    const end = endOf(tokens, index + 1, ends)
+    ends.set(index, end)
     // The engine refuses that.
-    if (begin !== undefined && isPrefix(tokens, begin - 1)) return
-    const end = endOf(code, tokens, index + 1)
-    if (begin === undefined || end === undefined) throw refusal(code, from, 'put what is on both sides of `**` in parentheses')
+    if (begin !== undefined && isPrefix(tokens, begin - 1)) continue
+    if (begin === undefined || end === undefined) throw refusal(code, from, 'put what is before or after `**` in parentheses')
     edits.push([tokens[begin].from, 0, 'power$('], [from, to - from, ','], [tokens[end].to, 0, ')'])
-  })
+  }
   let done = 0
   let out = ''
   for (const [place, length, text] of edits.sort((a, b) => a[0] - b[0])) {

@@ -55,6 +55,9 @@ const COLOURS = HighlightStyle.define([
   { tag: [tags.function(tags.variableName), tags.function(tags.propertyName)], color: 'var(--series-7)' },
 ])
 
+/** Editors that are made again have the state of the one before. */
+const THEME = new Compartment()
+
 const looks = (dark: boolean): Extension =>
   EditorView.theme(
     {
@@ -133,7 +136,6 @@ function diagnosticOf({ doc }: EditorState, { message, line, column, meaning }: 
 /** An editor for a planner's code. It lives in a shadow root: there its styles need no permission. */
 export class Editor {
   private readonly view: EditorView
-  private readonly theme = new Compartment()
   private readonly extensions: (dark: boolean) => Extension[]
   private dark: boolean
 
@@ -182,7 +184,7 @@ export class Editor {
       EditorView.updateListener.of(({ docChanged, state, transactions }) => {
         if (docChanged) onchange(state.doc.toString(), transactions.map(broughtBy).join('\n'))
       }),
-      this.theme.of(looks(now)),
+      THEME.of(looks(now)),
     ]
     this.dark = dark
     const state = kept?.doc.toString() === text ? kept : this.stateOf(text)
@@ -205,7 +207,7 @@ export class Editor {
 
   setDark(dark: boolean): void {
     this.dark = dark
-    this.view.dispatch({ effects: this.theme.reconfigure(looks(dark)) })
+    this.view.dispatch({ effects: THEME.reconfigure(looks(dark)) })
   }
 
   mark(wrong: Wrong | null): void {

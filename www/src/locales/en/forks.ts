@@ -6,6 +6,7 @@ export const forks = {
   compare: 'Open both in Compare',
   /** The title of the planner with the code of before. */
   earlier: (planner: string) => `${planner} (before)`,
+  noEarlier: 'The code of before could not be given another name: write the name right after register({ to compare the two.',
   otherScene: 'Their scenes are of different kinds.',
   dismiss: 'Hide the run before',
 } as const
