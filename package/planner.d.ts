@@ -130,6 +130,7 @@ export interface PlannerInJavaScript<State extends object = Record<string, unkno
   /** The kinds of scenes that it runs on; `tour` only alone. */
   kinds: readonly ('function' | 'discs' | 'grid' | 'tour')[]
   parameters?: readonly ParameterInJavaScript[]
+  /** Numbers of an iteration. Without any, functions and tours have the best cost. */
   readings?: readonly ReadingInJavaScript<State>[]
   layers?: readonly LayerInJavaScript[]
   /** What it computes, in TeX. */

@@ -226,6 +226,20 @@ test('what an author says is checked', async () => {
   assert.throws(() => new Session({ planner: 'mapped', scene: 'sphere-2' }), /state\.seen\[0\]\.of is a Map/)
 })
 
+test('without readings there is the best cost, where each candidate is a result', async () => {
+  const { readings, ...none } = climber({ name: 'unread' })
+  assert.ok(readings.length > 0)
+  const described = await register(none)
+  assert.deepEqual(
+    described.readings.map(({ name }) => name),
+    ['cost'],
+  )
+  const session = new Session({ planner: 'unread', scene: 'sphere-2', seed: 1 })
+  session.step(10)
+  assert.equal(session.readings().cost, session.outcome().cost)
+  session.free()
+})
+
 test('the conformance suite says in words what is violated', async () => {
   const good = await conform(climber())
   assert.equal(String(good), 'hill-climber keeps to all 13 checks.')

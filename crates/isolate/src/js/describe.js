@@ -5,6 +5,8 @@
 
 /** Scenes that such planners may run on. */
 const KINDS = ['function', 'discs', 'grid', 'tour']
+/** Those of which each candidate is a result. */
+const ALWAYS = ['function', 'tour']
 const FIELDS = [
   'name',
   'title',
@@ -168,6 +170,14 @@ function eachOnce(field, list, key) {
   return list
 }
 
+/** Where each candidate is a result, a planner without readings has its best cost for one. */
+export function readingsOf(planner) {
+  const { kinds } = planner
+  const readings = planner.readings ?? []
+  if (readings.length > 0 || !kinds.every((kind) => ALWAYS.includes(kind))) return readings
+  return [{ name: 'cost', title: 'Best cost', help: 'The cost of the best so far.', value: (state) => planner.best(state)?.cost ?? NaN }]
+}
+
 /** A planner as the catalogue lists them. */
 export function describe(planner) {
   const fields = reader('planner', planner, FIELDS)
@@ -183,6 +193,7 @@ export function describe(planner) {
     fields.code(code, needed)
   const parameters = eachOnce('parameters', fields.list('parameters', parameter), 'name')
   if (parameters.every((known) => known.name !== ITERATIONS.name)) parameters.push(ITERATIONS)
+  const readings = eachOnce('readings', fields.list('readings', reading), 'name')
   const layers = eachOnce('layers', fields.list('layers', layer), 'role')
   return {
     name,
@@ -195,7 +206,7 @@ export function describe(planner) {
     parameters: parameters.map((known) => ({ ...known, defaults: {}, kinds })),
     presets: [],
     cases: [],
-    readings: eachOnce('readings', fields.list('readings', reading), 'name'),
+    readings: readings.length > 0 ? readings : readingsOf(planner).map((one) => reading('readings[0]', one)),
     formulas: eachOnce('formulas', fields.list('formulas', formula), 'name'),
     pseudocode: [],
     // Without layers the best is drawn.

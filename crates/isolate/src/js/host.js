@@ -4,6 +4,8 @@
  * within an interpreter.
  */
 
+import { readingsOf } from './describe.js'
+
 /** What `lent` and `lentList` give, by number. */
 const SCALAR = { random: 0, normal: 1, distance: 2, sin: 3, cos: 4, exp: 5, log: 6, pow: 7, atan2: 8, acos: 9, asin: 10, log10: 11 }
 const LIST = { evaluate: 0, length: 1, isFree: 2, tour: 3 }
@@ -233,6 +235,7 @@ const textOf = (value) => (value === undefined || value === null ? '' : String(v
  */
 export function hostOf(planner, layers, lend) {
   const states = new Map()
+  const measured = readingsOf(planner)
   let next = 1
   let finished = false
   const finish = () => {
@@ -274,7 +277,7 @@ export function hostOf(planner, layers, lend) {
     best: (id) => handedOver(planner.best(keptOf(id).state)),
     readings(id) {
       const { state } = keptOf(id)
-      return Float64Array.from(planner.readings ?? [], ({ value }) => Number(value(state)))
+      return Float64Array.from(measured, ({ value }) => Number(value(state)))
     },
     draw(id) {
       const { state, tools } = keptOf(id)

@@ -202,7 +202,9 @@ export class Editor {
 
   /** Another text. Undoing does not lead back: what was there may be somebody else's. */
   put(text: string): void {
-    if (this.view.state.doc.toString() !== text) this.view.setState(this.stateOf(text))
+    if (this.view.state.doc.toString() === text) return
+    this.view.setState(this.stateOf(text))
+    this.view.dispatch({ effects: EditorView.scrollIntoView(0, { y: 'start' }) })
   }
 
   setDark(dark: boolean): void {
