@@ -351,13 +351,13 @@ export class RunClient {
     const { present } = this
     const begin = this.begins.at(-1)
     const setup = (begin ?? present)?.start.setup
-    const ownRuns = setup?.code !== undefined && !setup.full
+    const runsCode = setup?.code !== undefined
     const stands = !begin && present?.target.play === false && (present.target.at ?? present.at) === present.at
     // What was asked that may be why is not asked again.
-    const suspects = this.asked.filter(({ name }) => name === 'states' || (name === 'read' && (stands || !ownRuns)))
+    const suspects = this.asked.filter(({ name }) => name === 'states' || (name === 'read' && (stands || !runsCode)))
     this.asked = this.asked.filter((one) => !suspects.includes(one))
     const reads = suspects.filter(({ name }) => name === 'read')
-    if (!ownRuns || suspects.length > 0) {
+    if (!runsCode || setup.full || suspects.length > 0) {
       this.close()
       this.resume(true)
       this.listeners.onreplaced(reads.length === 0 && (setup?.full ?? false))

@@ -123,6 +123,7 @@ export class Workshop {
       rememberDraft(LAST, this.last)
     }
     this.template = ''
+    this.uncut = ''
     this.foreign = foreign
     this.save(code)
     this.refused = null
@@ -132,6 +133,7 @@ export class Workshop {
   /** Another code runs than before: undone, say. If the editor had what ran before, it has what runs now. */
   follow(before: string | undefined, now: string): void {
     if (before !== this.text || now === this.text) return
+    this.uncut = ''
     this.foreign = this.lab.own.foreign.has(now)
     this.refused = null
     this.save(now)

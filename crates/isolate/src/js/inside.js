@@ -26,13 +26,13 @@ Object.defineProperty(globalThis, 'power$', { value: powerBy(mathematics.pow) })
 
 // The clock looks between instructions, not within what is built in: that takes no lists and texts for which it would need seconds.
 const { apply } = Reflect
-const guard = (prototype, names, isTooMuch) => {
+const guard = (prototype, names, isTooMuch, allowed) => {
   for (const name of names) {
     const method = prototype[name]
     if (method === undefined) continue
     const guarded = {
       [name](...given) {
-        if (isTooMuch(this, given[0])) throw new RangeError(`${name}: there is too much to go through`)
+        if (isTooMuch(this, given[0])) throw new RangeError(`${name}: there is too much to go through; it takes ${allowed}`)
         return apply(method, this, given)
       },
     }
@@ -41,10 +41,11 @@ const guard = (prototype, names, isTooMuch) => {
 }
 const LISTS =
   'indexOf lastIndexOf includes fill copyWithin reverse join toString toLocaleString slice splice concat unshift shift flat flatMap sort toSorted toReversed toSpliced with map filter forEach some every reduce reduceRight'
-guard(Array.prototype, LISTS.split(' '), (list) => list?.length > 1e7)
-guard(String, ['raw'], (_, { raw }) => raw?.length > 1e7)
+const ITEMS = 'at most 10 million items'
+guard(Array.prototype, LISTS.split(' '), (list) => list?.length > 1e7, ITEMS)
+guard(String, ['raw'], (_, { raw }) => raw?.length > 1e7, ITEMS)
 const isLong = (text, sought) => typeof sought === 'string' && sought.length * String(text).length > 1e9
-guard(String.prototype, 'indexOf lastIndexOf includes split replace replaceAll'.split(' '), isLong)
+guard(String.prototype, 'indexOf lastIndexOf includes split replace replaceAll'.split(' '), isLong, 'texts whose lengths multiply to at most 10⁹')
 
 const log = (...values) => print(values.map(shown).join(' ').slice(0, 1000))
 delete globalThis.SharedArrayBuffer
