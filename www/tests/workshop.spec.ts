@@ -122,6 +122,41 @@ test('what is wrong is said at its line, and what was there goes on', async ({ l
   await expect(page.getByTestId('console').getByRole('listitem')).toHaveText(['1 step 0'])
 })
 
+test('what fails while it is typed costs neither the iteration nor the run that it is compared with', async ({ lab, page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await page.getByTestId('play').click()
+  const good = await lab.seek(40)
+  const fork = page.getByTestId('fork')
+  const [problem, state] = [page.getByTestId('problem'), page.getByTestId('state')]
+  // In each iteration, then before the first one.
+  await behind(page, 'const cost = evaluate(tried)')
+  await page.keyboard.type('\nmissing()')
+  await expect(lab.root).toHaveAttribute('data-status', 'failed')
+  await expect(problem).toContainText('missing')
+  await expect(fork).toHaveCount(0)
+  for (let k = 0; k < 9; k += 1) await page.keyboard.press('Backspace')
+  await page.keyboard.type('state.kept += 1')
+  await expect(state).toContainText('The page runs this code')
+  const mended = await lab.settled(40)
+  expect(mended).not.toBe(good)
+  await expect(fork).toContainText('iteration 40')
+  await behind(page, 'kept: 0')
+  await page.keyboard.type(' + missing')
+  await expect(problem).toContainText('missing')
+  for (let k = 0; k < 7; k += 1) await page.keyboard.press('Backspace')
+  await page.keyboard.type('1')
+  await expect(state).toContainText('The page runs this code')
+  const other = await lab.settled(40)
+  expect([good, mended]).not.toContain(other)
+  await expect(fork).toContainText('iteration 40')
+  // Back to what ran, not to what failed.
+  await fork.getByTestId('fork-undo').click()
+  await expect(lab.root).toHaveAttribute('data-hash', mended)
+  await page.getByTestId('undo').click()
+  await expect(lab.root).toHaveAttribute('data-hash', good)
+})
+
 test('what is wrong in draw is printed, and the run goes on', async ({ lab, page }) => {
   await opened(page, CLIMBER.replace("pen.points('particles', [tried])", 'pen.points(layer, [tried])'))
   await run(page)

@@ -1,5 +1,6 @@
 /**
- * Where a run begins after a change: where the one before stood, which it is compared with; at its beginning; or as after the change
- * before, which this one continues.
+ * Where a run begins after a change: where the one before was, which it is compared with; at its beginning; as after the change
+ * before, which this one continues; or, with another code of the same planner, where the one before was wanted, even if that failed
+ * on its way there.
  */
-export type Again = 'here' | 'begin' | 'on'
+export type Again = 'here' | 'begin' | 'on' | 'code'

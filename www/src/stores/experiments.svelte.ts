@@ -80,11 +80,15 @@ export class ExperimentsStore {
     Object.assign(this, { past, future, shown, before: null })
   }
 
-  /** The present run is left for another. `compares`: that one is to be compared with it. */
-  leave(compares: boolean): void {
+  /**
+   * The present run is left for another. `compares`: that one is to be compared with it. `mends`: this one failed, or was never seen,
+   * and the other takes its place.
+   */
+  leave(compares: boolean, mends = false): void {
     const left = this.snapshot()
     if (!left) return
     this.before = { setup: left.setup, past: this.past, future: this.future, shown: this.shown }
+    if (mends) return
     this.past = [...this.past, left].slice(-DEPTH)
     this.future = []
     this.shown = compares && left.ghost ? left : null

@@ -137,7 +137,7 @@ export class SetupStore {
     this.plannerName = planner.name
     // Of a function of two variables all is seen.
     const moved = this.bringScene(planner, (scene) => scene.kind !== 'function' || scene.dimension === 2)
-    this.start.again(same && !moved ? 'here' : 'begin')
+    this.start.again(same && !moved ? 'code' : 'begin')
   }
 
   openScene = (scene: Scene): void => {

@@ -126,11 +126,15 @@ export class Starts {
     this.promised = undefined
     const { experiments, playback, run } = this.stores
     const scene = this.stores.scene.present
-    if (where !== 'on') experiments.leave(true)
+    const mends = where === 'code' && (playback.restarting || run.refusal !== null || run.status === 'failed')
+    if (where !== 'on') experiments.leave(true, mends)
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     if (scene && (scene.kind !== run.present?.scene.kind || scene.name !== run.present.scene.name)) this.stores.setup.suit(scene)
-    if (where === 'on' || (where === 'here' && playback.restarting)) return this.restart(playback.requested, since)
-    if (where === 'here' && run.present) return this.restart({ at: playback.target ?? playback.iteration, play: playback.playing }, since)
+    if (where === 'on' || (where !== 'begin' && playback.restarting)) return this.restart(playback.requested, since)
+    // It failed on its way to there, or after that.
+    const { at, play } = playback.requested
+    if (mends) return this.restart({ at: Math.max(at, playback.iteration), play }, since)
+    if (where !== 'begin' && run.present) return this.restart({ at: playback.target ?? playback.iteration, play: playback.playing }, since)
     return this.restart({ at: 0, play: playback.playing || !run.present || (run.finished && !stillness.matches) }, since)
   }
 
