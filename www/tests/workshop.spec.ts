@@ -157,6 +157,29 @@ test('what fails while it is typed costs neither the iteration nor the run that 
   await expect(lab.root).toHaveAttribute('data-hash', good)
 })
 
+test('loaded again, the page has the run and what was written since', async ({ lab, page }) => {
+  await opened(page, CLIMBER)
+  await run(page)
+  await pick(page, 'workshop-scene', 'ackley-2')
+  await page.getByTestId('play').click()
+  const hash = await lab.seek(40)
+  await behind(page, '* normal()')
+  await page.keyboard.type(' +')
+  await expect(page.getByTestId('problem')).toContainText('SyntaxError')
+  await page.reload()
+  await expect(lab.root).toHaveAttribute('data-hash', hash)
+  await expect(page.getByTestId('workshop-scene')).toHaveValue('Ackley, 2 variables')
+  await behind(page, '* normal() +')
+  await expect(page.getByTestId('editor')).toContainText('* normal() +')
+  await expect(page.getByTestId('offer-code')).toHaveCount(0)
+})
+
+test('what a planner says of itself is refused at its line', async ({ page }) => {
+  await opened(page, CLIMBER.replace("'my-hill-climber'", "'pso'"))
+  await run(page, 'a name that no planner of the package has')
+  await expect(page.getByTestId('go-to-line')).toHaveText('Go to line 5')
+})
+
 test('what is wrong in draw is printed, and the run goes on', async ({ lab, page }) => {
   await opened(page, CLIMBER.replace("pen.points('particles', [tried])", 'pen.points(layer, [tried])'))
   await run(page)

@@ -1,6 +1,7 @@
 import type { Catalogue, Layer, Planner } from 'forage-lab'
 import { isOwn, type OwnPlanner } from '../catalogue/own'
 import type { Answer } from '../engine/protocol'
+import { recallRun } from './kept-run'
 import { isShortened, restored } from './large-links'
 import { type Offer, type OwnStore, withLines } from './own.svelte'
 import { recall, remember } from './storage'
@@ -113,7 +114,8 @@ async function mayRunCode(own: OwnStore, carrier: string, link: string): Promise
   if (answer.value === null) return { ok: true, value: null }
   const code = withLines(answer.value)
   const draft = recallDraft(DRAFT)
-  const isMine = draft?.code === code && !draft.foreign
+  const isMine = (draft?.code === code && !draft.foreign) || link === recallRun()
+  if (link === recallRun()) own.resumed = code
   if (!own.seen.has(code) && !isMine) return { ok: true, value: { code, link, file: null } }
   const read = await readCode(own, code)
   return read.ok ? { ok: true, value: null } : read

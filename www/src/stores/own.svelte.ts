@@ -24,6 +24,8 @@ export class OwnStore {
   readonly seen = new Set<string>()
   /** Codes that came from elsewhere, whether they may run or not. */
   readonly foreign = new Set<string>()
+  /** The code of the run that the browser had kept: what is in the editor may be newer. */
+  resumed = ''
   /** What the user writes runs without an interpreter. */
   full = $state(false)
   offer = $state.raw<Offer | null>(null)

@@ -8,6 +8,7 @@ import { sameScene } from '../scene/equality'
 import type { Variable } from '../text/variables'
 import { changes } from '../text/variables'
 import { perLab } from './context.svelte'
+import { keepRun } from './kept-run'
 import type { Lab } from './lab.svelte'
 import { DRAFT, type Draft, readCode, recallDraft, rememberDraft } from './own-code'
 import { unlessGone } from './questions'
@@ -72,6 +73,8 @@ export class Workshop {
   checked = $state.raw<Conformance | null>(null)
   /** They are being made. */
   checking = $state(false)
+  /** The line of a part of the described planner, as the editor finds it. */
+  lineOf: (field: string) => number | null = () => null
   /** The text before something was taken out last: that may be put in again. */
   private uncut = ''
   private checks: AbortController | null = null
@@ -108,7 +111,7 @@ export class Workshop {
     this.text = draft.code
     this.foreign = draft.foreign
     // What was written here before is kept.
-    if (planner) this.setCode(planner.code, false, this.lab.own.foreign.has(planner.code))
+    if (planner && planner.code !== this.lab.own.resumed) this.setCode(planner.code, false, this.lab.own.foreign.has(planner.code))
   }
 
   /** Puts the code of before into the editor. */
@@ -202,13 +205,20 @@ export class Workshop {
     const runs = this.current && full === this.lab.atFullSpeed
     const answer = await readCode(this.lab.own, code, full).catch(unlessGone)
     if (request !== this.request) return
-    this.refused = answer && !answer.ok ? problemOf(answer.refusal) : null
+    this.refused = answer && !answer.ok ? this.problemIn(answer.refusal) : null
     if (!answer?.ok) return
     const { pending } = this.lab.own
     this.lab.own.pending = null
     // It came with a run.
     if (pending?.link && pending.code === code) void this.lab.openLink(pending.link)
     else if (!runs) this.lab.setup.runOwn(answer.value)
+  }
+
+  /** What is wrong with a code: of what its planner says of itself only the field is known, not the place. */
+  private problemIn(refusal: Refusal): Problem {
+    const problem = problemOf(refusal)
+    const described = refusal.field !== '' && refusal.field !== 'code'
+    return { ...problem, line: problem.line ?? (described ? this.lineOf(refusal.field) : null) }
   }
 
   /** Checks whether the planner keeps to what planners must, on the scene that is shown if it ships. */
@@ -237,6 +247,13 @@ export class Workshop {
     this.checks = null
     this.checking = false
     checks?.abort()
+  }
+
+  /** The browser keeps the run, so that it is there again when the page is. */
+  keepRun(link: string | null): void {
+    const { planner } = this
+    const foreign = planner !== null && this.lab.own.foreign.has(planner.code)
+    if (link !== null || planner?.packed === null) keepRun(foreign ? null : link)
   }
 
   /** Asks what the planner has printed. */

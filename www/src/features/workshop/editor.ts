@@ -24,6 +24,7 @@ import {
 } from '@codemirror/view'
 import { tags } from '@lezer/highlight'
 import { completions, explained } from './help'
+import { lineOf } from './place'
 
 /** What is wrong, and where: a line from 1. */
 export interface Wrong {
@@ -216,6 +217,9 @@ export class Editor {
     const { state } = this.view
     this.view.dispatch(setDiagnostics(state, wrong ? [diagnosticOf(state, wrong)] : []))
   }
+
+  /** The line at which a part of the described planner is. */
+  lineOf = (field: string): number | null => lineOf(this.view.state, field)
 
   goTo(line: number): void {
     const { doc } = this.view.state
