@@ -522,6 +522,21 @@ test('many runs of a planner that was written here are compared; the address car
   await lab.restarted()
 })
 
+test('runs of a comparison whose code does not end are ended, and it says so', async ({ page }) => {
+  const endless = 'const all = Object.fromEntries(Array.from({ length: 1e5 }, (_, k) => [k, k])); for (;;) Object.keys(all)'
+  await opened(
+    page,
+    CLIMBER.replace('const cost = evaluate(tried)', `const cost = evaluate(tried)\nif (tried.length === 4) { ${endless} }`),
+  )
+  await run(page)
+  await page.getByTestId('race-own').click()
+  await page.getByRole('radio', { name: 'Statistics' }).check()
+  await pick(page, 'compare-scene', 'sphere-4')
+  await seeds(page, 2)
+  await page.getByTestId('batch-run').click()
+  await expect(page.getByText('could not be stopped').first()).toBeVisible({ timeout: 30_000 })
+})
+
 test('a race has the newest code of a planner, and those that it is compared with stay', async ({ page }) => {
   await opened(page, CLIMBER)
   await run(page)

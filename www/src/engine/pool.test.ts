@@ -48,3 +48,33 @@ test('as many tasks as there may be threads are carried out at a time; one that 
   // The thread of the second task was free for the fourth.
   expect(worker).toHaveBeenCalledTimes(2)
 })
+
+test('a thread in which somebody’s code does not end is ended, and another one takes its place', async () => {
+  vi.useFakeTimers()
+  try {
+    const threads: Idle[] = []
+    useHost({
+      ...rest,
+      worker: () => {
+        const thread = new Idle()
+        threads.push(thread)
+        return thread as unknown as Worker
+      },
+    })
+    const pool = new WorkerPool(1)
+    const endless = (): Promise<never> => new Promise(() => undefined)
+    // What is not somebody's has all the time that it takes.
+    void pool.run(endless)
+    await vi.advanceTimersByTimeAsync(60_000)
+    expect(threads[0]?.terminate).not.toHaveBeenCalled()
+    const other = new WorkerPool(1)
+    const stuck = expect(other.run(endless, { code: true })).rejects.toThrow('could not be stopped')
+    const next = other.run(() => Promise.resolve('next'))
+    await vi.advanceTimersByTimeAsync(10_000)
+    await stuck
+    expect(threads[1]?.terminate).toHaveBeenCalled()
+    expect(await next).toBe('next')
+  } finally {
+    vi.useRealTimers()
+  }
+})

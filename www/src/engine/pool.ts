@@ -1,6 +1,7 @@
 import { type Remote, wrap } from 'comlink'
 import { host } from './host'
 import type { TaskApi } from './host/trial-thread'
+import { HEARTBEAT, UNSTOPPABLE, Watchdog } from './watchdog'
 
 /** Threads without work end after so many milliseconds. */
 const PATIENCE = 30_000
@@ -34,9 +35,24 @@ export class Thread {
     .files?.()
     .then((files) => this.api.open(files))
 
-  async run<T>(task: Task<T>): Promise<T> {
+  /** `code`: somebody's code runs in it, which may never come to an end. */
+  async run<T>(task: Task<T>, code = false): Promise<T> {
     if (this.opened) await Promise.race([this.opened, this.failed])
-    return Promise.race([task(this.api), this.failed])
+    const leave = code ? this.watch() : undefined
+    return Promise.race([task(this.api), this.failed]).finally(leave)
+  }
+
+  /** Ends the thread when it does not answer; returns what to call when that is not awaited any more. */
+  private watch(): () => void {
+    const watchdog = new Watchdog(
+      () => this.api.beat(),
+      () => this.end(new Error(UNSTOPPABLE)),
+    )
+    const heartbeat = setInterval(() => watchdog.expect(), HEARTBEAT)
+    return () => {
+      clearInterval(heartbeat)
+      watchdog.stop()
+    }
   }
 
   end(reason: Error): void {
@@ -49,6 +65,8 @@ export class Thread {
 export type Task<T> = (api: Remote<TaskApi>) => Promise<T>
 
 interface Options {
+  /** Somebody's code is carried out: a thread in which it does not end is ended. */
+  code?: boolean
   /** Calls the task off, whether it waits for a thread or has begun. */
   signal?: AbortSignal | undefined
   /** Calls it off while it waits. Once it has begun it comes to its end. */
@@ -71,7 +89,7 @@ export class WorkerPool {
 
   /** Carries out a task as soon as there is a thread. Fails with `Aborted`, or with what broke its thread. */
   run<T>(task: Task<T>, options: Options = {}): Promise<T> {
-    const { signal } = options
+    const { signal, code = false } = options
     const signals = [signal, options.waiting].filter((one) => one !== undefined)
     return new Promise((resolve, reject) => {
       if (signals.some(({ aborted }) => aborted)) {
@@ -91,7 +109,7 @@ export class WorkerPool {
           for (const one of signals) one.removeEventListener('abort', drop)
           const done = stopWith(thread, signal)
           try {
-            resolve(await thread.run(task))
+            resolve(await thread.run(task, code))
             this.idle.push(thread)
           } catch (error) {
             thread.end(new Aborted())

@@ -14,7 +14,7 @@ import {
   type ToHost,
 } from './protocol'
 import type { SubtaskRunner } from './subtasks'
-import { Watchdog } from './watchdog'
+import { HEARTBEAT, UNSTOPPABLE, Watchdog } from './watchdog'
 
 /** Of what a thread was asked that broke down: it is not asked again, for that may be why. */
 export class Gone extends Error {
@@ -40,13 +40,8 @@ export interface Listeners {
   onstuck?(): void
 }
 
-/** How often a thread is asked for a sign of life in which somebody's code runs, in milliseconds. */
-const HEARTBEAT = 500
 /** How often the progress of runs that a step needs is reported, in milliseconds. */
 const PROGRESS_INTERVAL = 100
-
-/** In the words of the interpreter, which could not say it. */
-const UNSTOPPABLE = 'its code took longer than 900 ms and could not be stopped'
 
 /** A message as it is given: its number is added when it is sent. */
 type Unnumbered<M> = M extends unknown ? Omit<M, 'number'> : never

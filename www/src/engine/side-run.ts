@@ -79,7 +79,10 @@ export class SideRun {
   trials(setup: RunSetup, seeds: number, evaluations: number | null): Promise<TrialRecord[]> {
     const runs = Array.from({ length: seeds }, async (_, at): Promise<TrialRecord> => {
       const errand: Errand = { key: '', seed: at + 1, setup: { ...setup, seed: at + 1 }, maps: null, budget: evaluations }
-      const ending = await pool().run<Ending>((api) => api.run(errand), { signal: this.stopped.signal })
+      const ending = await pool().run<Ending>((api) => api.run(errand), {
+        signal: this.stopped.signal,
+        code: setup.code !== undefined,
+      })
       if (ending.is === 'over') return ending.row.record
       throw new Error(ending.is === 'refused' ? ending.refusal.message : ending.is === 'broken' ? ending.message : 'stopped')
     })

@@ -52,7 +52,7 @@ export class Trials {
     const controller = new AbortController()
     this.running.set(errand, controller)
     const ending = await pool()
-      .run<Ending>((api) => api.run(errand), { signal: controller.signal })
+      .run<Ending>((api) => api.run(errand), { signal: controller.signal, code: errand.setup.code !== undefined })
       .catch((error: Error): Ending => (error instanceof Aborted ? { is: 'stopped' } : { is: 'broken', message: error.message }))
     this.running.delete(errand)
     this.work.over(errand, ending)

@@ -2,6 +2,12 @@
 const LOOKS = 6
 const INTERVAL = 500
 
+/** How often a thread is asked for a sign of life in which somebody's code runs, in milliseconds. */
+export const HEARTBEAT = 500
+
+/** In the words of the interpreter, which could not say it. */
+export const UNSTOPPABLE = 'its code took longer than 900 ms and could not be stopped'
+
 /** Notices when a thread does not receive messages, because it computes something that cannot be interrupted. */
 export class Watchdog {
   private timer: ReturnType<typeof setInterval> | undefined

@@ -231,12 +231,15 @@ export class Workshop {
     this.checking = true
     this.checked = null
     try {
-      const answer = await pool().run<Answer<Conformance>>((api) => api.conform(planner.code, this.shipped), { signal: checks.signal })
+      const answer = await pool().run<Answer<Conformance>>((api) => api.conform(planner.code, this.shipped), {
+        signal: checks.signal,
+        code: true,
+      })
       if (this.checks !== checks) return
       if (answer.ok) this.checked = answer.value
       else this.refused = problemOf(answer.refusal)
     } catch (error) {
-      if (!(error instanceof Aborted)) throw error
+      if (this.checks === checks && error instanceof Error && !(error instanceof Aborted)) this.refused = problemOf(error)
     } finally {
       if (this.checks === checks) this.stopChecks()
     }

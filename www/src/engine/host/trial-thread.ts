@@ -70,6 +70,9 @@ const api = {
     serveBy(from(files))
   },
 
+  /** A sign of life. */
+  beat: (): void => undefined,
+
   /** A run that a planner of planners needs. */
   carryOut: (subtask: Parameters<typeof carryOut>[0]): Promise<Finding> => ready(() => carryOut(subtask)),
 

@@ -27,7 +27,7 @@ export class Spendings {
       const controller = new AbortController()
       this.asked.set(key, controller)
       void pool()
-        .run<Answer<Spending>>((api) => api.spends(setup), { signal: controller.signal })
+        .run<Answer<Spending>>((api) => api.spends(setup), { signal: controller.signal, code: setup.code !== undefined })
         .then((answer) => (answer.ok ? answer.value : answer.refusal.message))
         .catch((error: unknown) => (error instanceof Aborted ? null : error instanceof Error ? error.message : String(error)))
         .then((found) => {
