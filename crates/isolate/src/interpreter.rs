@@ -50,14 +50,14 @@ const GRACE: Duration = Duration::from_secs(3);
 /// Threads that run a code now, and until when they may.
 static BUSY: Mutex<Vec<(ThreadId, Instant)>> = Mutex::new(Vec::new());
 
-/// Looks whether code runs on after its time, because something built in takes that long; calls `stuck` with its thread, once.
-pub fn watch(stuck: impl Fn(ThreadId) + Send + 'static) {
+/// Looks whether code runs on after its time, because something built in takes that long; calls `stuck` once: such code ends only with
+/// the program.
+pub fn watch(stuck: impl Fn() + Send + 'static) {
     thread::spawn(move || {
         loop {
             thread::sleep(GRACE / 10);
-            let late = locked(&BUSY).iter().find(|(_, end)| Instant::now() > *end + GRACE).map(|(thread, _)| *thread);
-            if let Some(thread) = late {
-                return stuck(thread);
+            if locked(&BUSY).iter().any(|(_, end)| Instant::now() > *end + GRACE) {
+                return stuck();
             }
         }
     });

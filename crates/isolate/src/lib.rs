@@ -29,7 +29,7 @@ mod interpreter;
 mod link;
 
 pub use interpreter::watch;
-pub use link::{MOST_IN_LINK, code_in, with_code};
+pub use link::{MOST_IN_LINK, carries_code, code_in, with_code};
 
 use std::sync::{Arc, Mutex, PoisonError};
 

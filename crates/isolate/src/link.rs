@@ -33,7 +33,7 @@ pub fn with_code(link: &str, code: &str) -> Result<String, Error> {
 /// # Errors
 /// [`Error::Refused`] for `code`, where it is too large; [`Error::Malformed`] where it is damaged.
 pub fn code_in(link: &str) -> Result<Option<String>, Error> {
-    let Some(packed) = link.split('&').find_map(|part| part.strip_prefix(KEY)) else { return Ok(None) };
+    let Some(packed) = packed_in(link) else { return Ok(None) };
     let damaged = |problem: String| Error::malformed("code", message!("isolate-damaged", "it is damaged: {problem}", problem));
     if packed.len() > MOST_IN_LINK / 3 * 4 + 4 {
         return Err(too_large(packed.len() / 4 * 3));
@@ -41,6 +41,15 @@ pub fn code_in(link: &str) -> Result<Option<String>, Error> {
     let deflated = Base64UrlUnpadded::decode_vec(packed).map_err(|error| damaged(error.to_string()))?;
     let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, LONGEST).map_err(|error| damaged(error.to_string()))?;
     String::from_utf8(bytes).map(Some).map_err(|error| Error::malformed("code", Message::verbatim(error.to_string())))
+}
+
+/// Whether a link brings code, good or damaged.
+pub fn carries_code(link: &str) -> bool {
+    packed_in(link).is_some()
+}
+
+fn packed_in(link: &str) -> Option<&str> {
+    link.split('&').find_map(|part| part.strip_prefix(KEY))
 }
 
 #[cfg(test)]

@@ -132,6 +132,9 @@ pub(super) struct GradeArgs {
     /// How many threads to use; default: all cores. The rows do not depend on it.
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(super) jobs: Option<NonZeroUsize>,
+    /// Grade one link that comes by standard input: code that does not end ends only with its program.
+    #[arg(long, hide = true)]
+    pub(super) alone: bool,
 }
 
 #[derive(Args)]

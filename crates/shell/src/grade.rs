@@ -1,21 +1,23 @@
 //! `forage grade`.
 
 use std::{
+    env,
+    io::{self, Read as _, Write as _},
     num::NonZeroUsize,
     path::Path,
-    process::ExitCode,
+    process::{Command, ExitCode, Output, Stdio},
     sync::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicUsize, Ordering},
     },
-    thread::{self, ThreadId},
+    thread,
 };
 
 use forage::{
     Error, Link, Registry,
     run::{Judgement, Task},
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::{
     args::GradeArgs,
@@ -34,7 +36,7 @@ struct Handed<'a> {
 }
 
 /// A row of the result. The first four say what a link is worth, the others what it is of.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, Deserialize)]
 struct Row {
     reached: bool,
     evaluations: Option<u64>,
@@ -53,12 +55,15 @@ struct Row {
 
 pub(super) fn grade(args: &GradeArgs) -> failure::Outcome {
     let task = Task::read(registry(), &read(&args.task, LARGEST_SCENE)?).map_err(|error| in_file(&args.task, &error))?;
+    if args.alone {
+        return alone(&task);
+    }
     let text = read(&args.links, LARGEST_LIST)?;
     let all: Vec<_> = text.lines().enumerate().filter_map(|(k, line)| handed(k + 1, line)).collect();
     if all.is_empty() {
         return Err(Failure::Refused("there is no link to grade: each line has one, and whose it is may stand before it".to_owned()));
     }
-    let rows = graded(&task, &all, args.jobs);
+    let rows = graded(args, &task, &all);
     let good = rows.iter().filter(|row| row.reached && row.verified).count();
     print_raw(csv_of(&rows)?.trim_ascii_end())?;
     note(&format!("{good} of {} reached the goal, with a hash that came out again", rows.len()));
@@ -84,35 +89,16 @@ fn handed(line: usize, text: &str) -> Option<Handed<'_>> {
     Some(Handed { line, name: text[..begin].trim_matches(|c| parts(c) || c == ':'), link: &text[begin..end] })
 }
 
-/// What each thread judges now: the line.
-static GRADED: Mutex<Vec<(ThreadId, usize)>> = Mutex::new(Vec::new());
-
-fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Says that the code which a thread runs does not stop, and whose it is.
-pub(super) fn unstoppable(thread: ThreadId) -> String {
-    let line = locked(&GRADED).iter().find(|(other, _)| *other == thread).map(|(_, line)| *line);
-    let place = line.map_or_else(|| "code".to_owned(), |line| format!("line {line}"));
-    format!(
-        "{place}: it took longer than 900 ms and could not be stopped: something built in took several seconds; without it the others can be graded"
-    )
-}
-
 /// All of them, in their order; several at a time.
-fn graded(task: &Task, all: &[Handed<'_>], jobs: Option<NonZeroUsize>) -> Vec<Row> {
-    let threads = jobs.or(thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get).min(all.len());
+fn graded(args: &GradeArgs, task: &Task, all: &[Handed<'_>]) -> Vec<Row> {
+    let threads = args.jobs.or(thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get).min(all.len());
     let (next, rows) = (AtomicUsize::new(0), Mutex::new(Vec::with_capacity(all.len())));
     thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
                 while let Some(one) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let thread = thread::current().id();
-                    locked(&GRADED).push((thread, one.line));
-                    let row = row(task, one);
-                    locked(&GRADED).retain(|(other, _)| *other != thread);
-                    locked(&rows).push(row);
+                    let row = if forage_isolate::carries_code(one.link) { apart(args, one) } else { row(task, one) };
+                    rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
                 }
             });
         }
@@ -120,6 +106,52 @@ fn graded(task: &Task, all: &[Handed<'_>], jobs: Option<NonZeroUsize>) -> Vec<Ro
     let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|row| row.line);
     rows
+}
+
+/// Grades a link in a program of its own: what somebody wrote may not end, and the others are to be graded all the same.
+fn apart(args: &GradeArgs, one: &Handed<'_>) -> Row {
+    let row = match judged_apart(args, one.link) {
+        Ok(row) => row,
+        Err(reason) => Row { reason, ..Row::default() },
+    };
+    Row { line: one.line, name: one.name.to_owned(), ..row }
+}
+
+/// The row that the other program prints, or what it says instead of one.
+fn judged_apart(args: &GradeArgs, link: &str) -> Result<Row, String> {
+    let begun = env::current_exe().and_then(|program| {
+        Command::new(program)
+            .args(["grade", "--alone", "--task"])
+            .arg(&args.task)
+            .arg("--")
+            .arg(&args.links)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+    });
+    let ended = begun.and_then(|mut program| {
+        // It may have ended before it has read all.
+        let _ = program.stdin.take().map(|mut input| input.write_all(link.as_bytes()));
+        program.wait_with_output()
+    });
+    let Output { status, stdout, stderr } = ended.map_err(|error| format!("no program could be started for its code: {error}"))?;
+    let row = csv::Reader::from_reader(&*stdout).deserialize().next();
+    row.and_then(Result::ok).ok_or_else(|| {
+        let said = String::from_utf8_lossy(&stderr);
+        let said = said.trim().trim_start_matches("forage: ");
+        if said.is_empty() { format!("its code broke the program that ran it ({status})") } else { said.to_owned() }
+    })
+}
+
+/// The other program's part: one link.
+fn alone(task: &Task) -> failure::Outcome {
+    let mut link = String::new();
+    let read = io::stdin().read_to_string(&mut link);
+    read.map_err(|error| Failure::File("standard input".to_owned(), error))?;
+    let row = row(task, &Handed { line: 1, name: "", link: &link });
+    print_raw(csv_of(&[row])?.trim_ascii_end())?;
+    Ok(ExitCode::SUCCESS)
 }
 
 fn row(task: &Task, one: &Handed<'_>) -> Row {

@@ -69,12 +69,19 @@ fn planners_that_are_handed_in_are_graded() {
     let endless = climber.replace("advance(state, {", "advance(state) { for (;;); }, unused(state, {").replace("unused(", "draw(");
     let links = [(climber.as_str(), 400), (slow.as_str(), 400)].map(|(code, at)| link(code, "sphere-2", at));
     let stuck = forage_isolate::with_code("#v=1&planner=my-hill-climber&scene=sphere-2&seed=1&at=400", &endless).unwrap();
+    // The clock is not looked at within what is built in: such a code ends with the program that runs it.
+    let built_in = "const all = Object.fromEntries(Array.from({ length: 1e5 }, (_, k) => [k, k])); for (;;) Object.keys(all);";
+    let built_in = climber.replace("const cost = evaluate(tried)", built_in);
+    let hangs = forage_isolate::with_code("#v=1&planner=my-hill-climber&scene=sphere-2&seed=1&at=400", &built_in).unwrap();
     let ours = "#v=1&planner=pso&scene=sphere-2&seed=1&at=10";
     let folder = empty_folder("graded-code");
     let [list, task] = ["links.txt", "task.json"].map(|name| folder.join(name));
     fs::write(
         &list,
-        format!("Ada {}\nBob {}\nCyd {stuck}\nDan #v=1&planner=my-hill-climber&scene=sphere-2&at=4\nEve {ours}\n", links[0], links[1]),
+        format!(
+            "Ada {}\nBob {}\nCyd {stuck}\nDan #v=1&planner=my-hill-climber&scene=sphere-2&at=4\nEve {ours}\nFay {hangs}\nGus {}\n",
+            links[0], links[1], links[0]
+        ),
     )
     .unwrap();
     fs::write(&task, r#"{"own": true, "scene": "sphere-2", "goal": {"cost": 1}, "budget": {"evaluations": 1000}}"#).unwrap();
@@ -86,4 +93,6 @@ fn planners_that_are_handed_in_are_graded() {
     assert!(rows[3].starts_with("false,") && rows[3].contains("Cyd"), "{rows:?}");
     assert!(rows[4].contains("my-hill-climber") && rows[4].contains("Dan"), "{rows:?}");
     assert!(rows[5].starts_with("false,") && rows[5].contains("A planner of your own is asked for"), "{rows:?}");
+    assert!(rows[6].starts_with("false,") && rows[6].contains("could not be stopped") && rows[6].contains("Fay"), "{rows:?}");
+    assert_eq!(rows[7].replace("7,Gus", "1,Ada"), rows[1], "{rows:?}");
 }
