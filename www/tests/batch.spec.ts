@@ -429,3 +429,16 @@ test('on a phone nothing is wider than the screen', { tag: '@smoke' }, async ({ 
   const target = await page.getByTestId('batch-row').first().getByRole('button').boundingBox()
   expect(target?.height).toBeGreaterThanOrEqual(44)
 })
+
+test('a planner that was taken out is put back where it was', async ({ lab, page }) => {
+  await openBatch(lab)
+  const names = (): Promise<(string | null)[]> =>
+    page.getByTestId('entrant').evaluateAll((all) => all.map((one) => one.getAttribute('data-planner')))
+  const before = await names()
+  await page.getByTestId('entrant-remove').nth(1).click()
+  await expect(page.getByTestId('entrant')).toHaveCount(3)
+  await page.getByTestId('entrant-restore').click()
+  await expect(page.getByTestId('entrant')).toHaveCount(4)
+  expect(await names()).toEqual(before)
+  await expect(page.getByTestId('entrant-restore')).toHaveCount(0)
+})

@@ -48,6 +48,7 @@ export const compare = {
     copy: 'Duplicate',
     copyOf: (name: string) => `Duplicate ${name}, to give it other parameters`,
     remove: (name: string) => `Remove ${name}`,
+    restore: (name: string) => `Put ${name} back`,
     unsuited: (scene: string) => `It does not run on “${scene}” and is left out.`,
     otherTask: 'It has another task and is left out.',
     double: 'The same as one before it: give it other parameters, or it is left out.',

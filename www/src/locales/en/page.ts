@@ -126,6 +126,7 @@ export const en = {
     turns: (count: string) => (count === '1' ? '1 turn' : `${count} turns`),
     iteration: 'iteration',
     evaluations: 'evaluations',
+    spent: (count: string) => (count === '1' ? '1 evaluation' : `${count} evaluations`),
     none: 'no result yet',
     paused: 'paused',
     starting: 'starting …',

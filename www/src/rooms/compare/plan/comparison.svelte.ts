@@ -36,6 +36,8 @@ export class Comparison {
   /** Instead of the one scene: a random map for each seed. */
   maps = $state.raw<Maps | null>(null)
   entrants = $state.raw<readonly Entrant[]>([])
+  /** What was taken out last, and where it was. */
+  removed = $state.raw<{ entrant: Entrant; at: number } | null>(null)
   from = $state(1)
   count = $state<number>(COUNT.standard)
   budget = $state.raw<Budget>('first')
@@ -187,6 +189,7 @@ export class Comparison {
 
   private enter(plan: { entrants: Preset['entrants']; from: number; count: number; budget: Budget }): void {
     this.notice = ''
+    this.removed = null
     this.entrants = plan.entrants.map(({ planner, params = {}, scene }, slot) => ({ slot, planner, params, ...(scene && { scene }) }))
     this.requests.note(...this.entrants.map(({ slot }) => `${slot}`))
     this.from = plan.from
@@ -328,7 +331,18 @@ export class Comparison {
   }
 
   remove = (entrant: Entrant): void => {
+    this.removed = { entrant, at: this.entrants.indexOf(entrant) }
     this.entrants = this.entrants.filter((other) => other !== entrant)
+    this.changed()
+  }
+
+  /** What was taken out last is where it was, with its parameters. */
+  restore = (): void => {
+    const { removed } = this
+    if (!removed || this.entrants.length >= MOST_ENTRANTS) return
+    const slot = this.entrants.some((other) => other.slot === removed.entrant.slot) ? this.vacant() : removed.entrant.slot
+    this.entrants = this.entrants.toSpliced(removed.at, 0, { ...removed.entrant, slot })
+    this.removed = null
     this.changed()
   }
 
