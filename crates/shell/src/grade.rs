@@ -26,7 +26,11 @@ use super::{
     load::own_planner,
     output::{note, print_raw},
     registry::registry,
+    text::shorten,
 };
+
+/// So long is what is said of a link that could not be graded.
+const LONGEST_REASON: usize = 500;
 
 /// What was handed in: what stands before a link says whose it is.
 struct Handed<'a> {
@@ -54,20 +58,25 @@ struct Row {
 }
 
 pub(super) fn grade(args: &GradeArgs) -> failure::Outcome {
-    let task = Task::read(registry(), &read(&args.task, LARGEST_SCENE)?).map_err(|error| in_file(&args.task, &error))?;
     if args.alone {
-        return alone(&task);
+        return alone(args);
     }
+    let given = read(&args.task, LARGEST_SCENE)?;
+    let task = task_of(args, &given)?;
     let text = read(&args.links, LARGEST_LIST)?;
     let all: Vec<_> = text.lines().enumerate().filter_map(|(k, line)| handed(k + 1, line)).collect();
     if all.is_empty() {
         return Err(Failure::Refused("there is no link to grade: each line has one, and whose it is may stand before it".to_owned()));
     }
-    let rows = graded(args, &task, &all);
+    let rows = graded(&given, &task, &all, args.jobs)?;
     let good = rows.iter().filter(|row| row.reached && row.verified).count();
     print_raw(csv_of(&rows)?.trim_ascii_end())?;
     note(&format!("{good} of {} reached the goal, with a hash that came out again", rows.len()));
     Ok(ExitCode::from(u8::from(good < rows.len())))
+}
+
+fn task_of(args: &GradeArgs, text: &str) -> Result<Task, Failure> {
+    Task::read(registry(), text).map_err(|error| in_file(&args.task, &error))
 }
 
 fn read(path: &Path, limit: Limit) -> Result<String, Failure> {
@@ -90,66 +99,59 @@ fn handed(line: usize, text: &str) -> Option<Handed<'_>> {
 }
 
 /// All of them, in their order; several at a time.
-fn graded(args: &GradeArgs, task: &Task, all: &[Handed<'_>]) -> Vec<Row> {
-    let threads = args.jobs.or(thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get).min(all.len());
+fn graded(given: &str, task: &Task, all: &[Handed<'_>], jobs: Option<NonZeroUsize>) -> Result<Vec<Row>, Failure> {
+    let threads = jobs.or(thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get).min(all.len());
     let (next, rows) = (AtomicUsize::new(0), Mutex::new(Vec::with_capacity(all.len())));
     thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
                 while let Some(one) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let row = if forage_isolate::carries_code(one.link) { apart(args, one) } else { row(task, one) };
+                    let row = if forage_isolate::carries_code(one.link) { apart(given, one) } else { Ok(row(task, one)) };
                     rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
                 }
             });
         }
     });
-    let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let mut rows = rows.into_iter().collect::<Result<Vec<Row>, Failure>>()?;
     rows.sort_by_key(|row| row.line);
-    rows
+    Ok(rows)
 }
 
-/// Grades a link in a program of its own: what somebody wrote may not end, and the others are to be graded all the same.
-fn apart(args: &GradeArgs, one: &Handed<'_>) -> Row {
-    let row = match judged_apart(args, one.link) {
-        Ok(row) => row,
-        Err(reason) => Row { reason, ..Row::default() },
-    };
-    Row { line: one.line, name: one.name.to_owned(), ..row }
-}
+/// What parts the task from the link where another program reads them.
+const END: char = '\0';
 
-/// The row that the other program prints, or what it says instead of one.
-fn judged_apart(args: &GradeArgs, link: &str) -> Result<Row, String> {
+/// Grades a link in a program of its own: what somebody wrote may not end, and the others are to be graded all the same. `given`: the
+/// task.
+fn apart(given: &str, one: &Handed<'_>) -> Result<Row, Failure> {
+    let failed = |error| Failure::File("a program for somebody's code".to_owned(), error);
     let begun = env::current_exe().and_then(|program| {
-        Command::new(program)
-            .args(["grade", "--alone", "--task"])
-            .arg(&args.task)
-            .arg("--")
-            .arg(&args.links)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
+        let of = ["grade", "--alone", "--task", "task", "links"];
+        Command::new(program).args(of).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()
     });
-    let ended = begun.and_then(|mut program| {
-        // It may have ended before it has read all.
-        let _ = program.stdin.take().map(|mut input| input.write_all(link.as_bytes()));
-        program.wait_with_output()
-    });
-    let Output { status, stdout, stderr } = ended.map_err(|error| format!("no program could be started for its code: {error}"))?;
-    let row = csv::Reader::from_reader(&*stdout).deserialize().next();
-    row.and_then(Result::ok).ok_or_else(|| {
-        let said = String::from_utf8_lossy(&stderr);
-        let said = said.trim().trim_start_matches("forage: ");
-        if said.is_empty() { format!("its code broke the program that ran it ({status})") } else { said.to_owned() }
-    })
+    let mut program = begun.map_err(failed)?;
+    // It may have ended before it has read all.
+    let _ = program.stdin.take().map(|mut input| write!(input, "{given}{END}{}", one.link));
+    let Output { status, stdout, stderr } = program.wait_with_output().map_err(failed)?;
+    let said = String::from_utf8_lossy(&stderr);
+    let said = said.trim();
+    let said = said.strip_prefix("forage: ").unwrap_or(said);
+    let row = match (csv::Reader::from_reader(&*stdout).deserialize().next(), status.code()) {
+        (Some(Ok(row)), Some(0)) => row,
+        (_, Some(2)) if !said.is_empty() => Row { reason: shorten(said, LONGEST_REASON), ..Row::default() },
+        // The machine's failure is nobody's mark.
+        (_, Some(3)) => return Err(failed(io::Error::other(said.to_owned()))),
+        _ => Row { reason: format!("its code broke the program that ran it ({status})"), ..Row::default() },
+    };
+    Ok(Row { line: one.line, name: one.name.to_owned(), ..row })
 }
 
 /// The other program's part: one link.
-fn alone(task: &Task) -> failure::Outcome {
-    let mut link = String::new();
-    let read = io::stdin().read_to_string(&mut link);
-    read.map_err(|error| Failure::File("standard input".to_owned(), error))?;
-    let row = row(task, &Handed { line: 1, name: "", link: &link });
+fn alone(args: &GradeArgs) -> failure::Outcome {
+    let mut text = String::new();
+    io::stdin().read_to_string(&mut text).map_err(|error| Failure::File("standard input".to_owned(), error))?;
+    let (given, link) = text.split_once(END).unwrap_or_default();
+    let row = row(&task_of(args, given)?, &Handed { line: 1, name: "", link });
     print_raw(csv_of(&[row])?.trim_ascii_end())?;
     Ok(ExitCode::SUCCESS)
 }

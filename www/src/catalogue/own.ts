@@ -17,6 +17,9 @@ export interface OwnPlanner extends Planner {
 
 export const isOwn = (planner: Planner | null | undefined): planner is OwnPlanner => planner != null && 'code' in planner
 
+/** Whether a run ends when its code does not: at full speed nothing ends a step. */
+export const isWatched = ({ code, full }: RunSetup): boolean => code !== undefined && full !== true
+
 /** What a setup has besides the planner's name. */
 export const codeOf = (planner: Planner | null | undefined): Pick<RunSetup, 'code' | 'full'> =>
   isOwn(planner) ? { code: planner.code, full: planner.full } : {}

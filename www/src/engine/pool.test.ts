@@ -57,6 +57,10 @@ test('a thread in which somebody’s code does not end is ended, and another one
       ...rest,
       worker: () => {
         const thread = new Idle()
+        // It answers once, then no more.
+        thread.postMessage.mockImplementationOnce(({ id }: { id: string }) => {
+          thread.dispatchEvent(new MessageEvent('message', { data: { id, type: 'RAW', value: undefined } }))
+        })
         threads.push(thread)
         return thread as unknown as Worker
       },
@@ -68,7 +72,7 @@ test('a thread in which somebody’s code does not end is ended, and another one
     await vi.advanceTimersByTimeAsync(60_000)
     expect(threads[0]?.terminate).not.toHaveBeenCalled()
     const other = new WorkerPool(1)
-    const stuck = expect(other.run(endless, { code: true })).rejects.toThrow('could not be stopped')
+    const stuck = expect(other.run(endless, { watched: true })).rejects.toThrow('could not be stopped')
     const next = other.run(() => Promise.resolve('next'))
     await vi.advanceTimersByTimeAsync(10_000)
     await stuck

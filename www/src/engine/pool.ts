@@ -35,14 +35,15 @@ export class Thread {
     .files?.()
     .then((files) => this.api.open(files))
 
-  /** `code`: somebody's code runs in it, which may never come to an end. */
-  async run<T>(task: Task<T>, code = false): Promise<T> {
+  /** `watched`: the thread is ended when it does not answer for seconds. */
+  async run<T>(task: Task<T>, watched = false): Promise<T> {
     if (this.opened) await Promise.race([this.opened, this.failed])
-    const leave = code ? this.watch() : undefined
+    if (watched) await Promise.race([this.api.beat(), this.failed])
+    const leave = watched ? this.watch() : undefined
     return Promise.race([task(this.api), this.failed]).finally(leave)
   }
 
-  /** Ends the thread when it does not answer; returns what to call when that is not awaited any more. */
+  /** Ends the thread when it does not answer any more; returns what to call when that is not awaited. */
   private watch(): () => void {
     const watchdog = new Watchdog(
       () => this.api.beat(),
@@ -65,8 +66,8 @@ export class Thread {
 export type Task<T> = (api: Remote<TaskApi>) => Promise<T>
 
 interface Options {
-  /** Somebody's code is carried out: a thread in which it does not end is ended. */
-  code?: boolean
+  /** Somebody's code is carried out in an interpreter: a thread in which it does not end is ended. */
+  watched?: boolean
   /** Calls the task off, whether it waits for a thread or has begun. */
   signal?: AbortSignal | undefined
   /** Calls it off while it waits. Once it has begun it comes to its end. */
@@ -89,7 +90,7 @@ export class WorkerPool {
 
   /** Carries out a task as soon as there is a thread. Fails with `Aborted`, or with what broke its thread. */
   run<T>(task: Task<T>, options: Options = {}): Promise<T> {
-    const { signal, code = false } = options
+    const { signal, watched = false } = options
     const signals = [signal, options.waiting].filter((one) => one !== undefined)
     return new Promise((resolve, reject) => {
       if (signals.some(({ aborted }) => aborted)) {
@@ -109,7 +110,7 @@ export class WorkerPool {
           for (const one of signals) one.removeEventListener('abort', drop)
           const done = stopWith(thread, signal)
           try {
-            resolve(await thread.run(task, code))
+            resolve(await thread.run(task, watched))
             this.idle.push(thread)
           } catch (error) {
             thread.end(new Aborted())

@@ -1,4 +1,4 @@
-import type { RunSetup } from '../catalogue/own'
+import { isWatched, type RunSetup } from '../catalogue/own'
 import type { Item, TrialRecord } from 'forage-lab'
 import { pool } from './pool'
 import type { Report } from './protocol'
@@ -81,7 +81,7 @@ export class SideRun {
       const errand: Errand = { key: '', seed: at + 1, setup: { ...setup, seed: at + 1 }, maps: null, budget: evaluations }
       const ending = await pool().run<Ending>((api) => api.run(errand), {
         signal: this.stopped.signal,
-        code: setup.code !== undefined,
+        watched: isWatched(setup),
       })
       if (ending.is === 'over') return ending.row.record
       throw new Error(ending.is === 'refused' ? ending.refusal.message : ending.is === 'broken' ? ending.message : 'stopped')

@@ -1,3 +1,4 @@
+import { isWatched } from '../catalogue/own'
 import { Aborted, pool } from './pool'
 import type { Ending, Errand } from './trial.protocol'
 
@@ -52,7 +53,7 @@ export class Trials {
     const controller = new AbortController()
     this.running.set(errand, controller)
     const ending = await pool()
-      .run<Ending>((api) => api.run(errand), { signal: controller.signal, code: errand.setup.code !== undefined })
+      .run<Ending>((api) => api.run(errand), { signal: controller.signal, watched: isWatched(errand.setup) })
       .catch((error: Error): Ending => (error instanceof Aborted ? { is: 'stopped' } : { is: 'broken', message: error.message }))
     this.running.delete(errand)
     this.work.over(errand, ending)

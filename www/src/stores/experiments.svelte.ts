@@ -84,7 +84,7 @@ export class ExperimentsStore {
    * The present run is left for another. `compares`: that one is to be compared with it. `mends`: this one failed, or was never seen,
    * and the other takes its place.
    */
-  leave(compares: boolean, mends = false): void {
+  leave({ compares, mends = false }: { compares: boolean; mends?: boolean }): void {
     const left = this.snapshot()
     if (!left) return
     this.before = { setup: left.setup, past: this.past, future: this.future, shown: this.shown }

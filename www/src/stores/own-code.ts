@@ -1,7 +1,7 @@
 import type { Catalogue, Layer, Planner } from 'forage-lab'
 import { isOwn, type OwnPlanner } from '../catalogue/own'
 import type { Answer } from '../engine/protocol'
-import { recallRun } from './kept-run'
+import { isKept } from './kept-run'
 import { isShortened, restored } from './large-links'
 import { type Offer, type OwnStore, withLines } from './own.svelte'
 import { recall, remember } from './storage'
@@ -61,11 +61,17 @@ function ownPlanner({ planners }: Catalogue, described: Planner, of: Pick<OwnPla
 
 /** Reads a code in the run's thread, unless it was read before, and puts its planner into the catalogue. `full`: it runs without an interpreter. */
 export async function readCode(own: OwnStore, code: string, full = false): Promise<Answer<OwnPlanner>> {
+  const read = await plannerOf(own, code, full)
+  if (read.ok) own.put(read.value)
+  return read
+}
+
+/** The planner of a code. */
+async function plannerOf(own: OwnStore, code: string, full: boolean): Promise<Answer<OwnPlanner>> {
   own.seen.add(code)
   const known = own.planners.get(code)
   if (known) {
     known.full = full
-    own.put(known)
     return { ok: true, value: known }
   }
   const answer = await own.api.read(code)
@@ -75,7 +81,6 @@ export async function readCode(own: OwnStore, code: string, full = false): Promi
   const { planner: described, packed } = answer.value
   const planner = ownPlanner(catalogue, described, { code, packed, full })
   own.planners.set(code, planner)
-  own.put(planner)
   return { ok: true, value: planner }
 }
 
@@ -94,31 +99,42 @@ export async function earlier(own: OwnStore, code: string, words: (title: string
   return read.ok ? read.value.name : null
 }
 
-/** What is to be offered before a link's run may begin: a code that the user has not seen. */
-export const mayOpenLink = async (own: OwnStore, link: string): Promise<Answer<Offer | null>> =>
-  mayRunCode(own, isShortened(link) ? await restored(link) : link, link)
+/** What a link or an address brings. */
+interface Brought {
+  /** A code that the user has not seen: it is offered first. */
+  offer: Offer | null
+  /** The planner of a code that may run. */
+  planner: OwnPlanner | null
+}
 
-/** The same of an address with several codes, as links have them. */
+/** Reads the code of a link, if that may run. Its planner is not in the catalogue yet: another one may be wanted by then. */
+export const readLink = async (own: OwnStore, link: string): Promise<Answer<Brought>> =>
+  readCarried(own, isShortened(link) ? await restored(link) : link, link)
+
+/** What is to be offered before an address with several codes, as links have them, may be opened. */
 export async function mayOpenAll(own: OwnStore, packed: readonly string[], address: string): Promise<Answer<Offer | null>> {
   for (const one of packed) {
-    const allowed = await mayRunCode(own, `#${CODE}${one}`, address)
-    if (!allowed.ok || allowed.value) return allowed
+    const read = await readCarried(own, `#${CODE}${one}`, address)
+    if (!read.ok) return read
+    const { offer, planner } = read.value
+    if (offer) return { ok: true, value: offer }
+    if (planner) own.put(planner)
   }
   return { ok: true, value: null }
 }
 
 /** The code in `carrier`, which came with a link. */
-async function mayRunCode(own: OwnStore, carrier: string, link: string): Promise<Answer<Offer | null>> {
+async function readCarried(own: OwnStore, carrier: string, link: string): Promise<Answer<Brought>> {
   const answer = await own.api.codeIn(carrier)
   if (!answer.ok) return answer
-  if (answer.value === null) return { ok: true, value: null }
+  if (answer.value === null) return { ok: true, value: { offer: null, planner: null } }
   const code = withLines(answer.value)
-  const draft = recallDraft(DRAFT)
-  const isMine = (draft?.code === code && !draft.foreign) || link === recallRun()
-  if (link === recallRun()) own.resumed = code
-  if (!own.seen.has(code) && !isMine) return { ok: true, value: { code, link, file: null } }
-  const read = await readCode(own, code)
-  return read.ok ? { ok: true, value: null } : read
+  const [draft, kept] = [recallDraft(DRAFT), isKept(link)]
+  if (kept) own.resumed = code
+  const isMine = kept || (draft?.code === code && !draft.foreign)
+  if (!own.seen.has(code) && !isMine) return { ok: true, value: { offer: { code, link, file: null }, planner: null } }
+  const read = await plannerOf(own, code, false)
+  return read.ok ? { ok: true, value: { offer: null, planner: read.value } } : read
 }
 
 /** The offered code may run from now on. */

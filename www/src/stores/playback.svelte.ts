@@ -98,8 +98,9 @@ export class PlaybackStore {
   }
 
   private setPlaying(play: boolean): void {
-    // A new run goes where it begins all the same.
+    // A new run goes where it begins all the same; another one gives up where it was going.
     const { at } = this.client.starting ? this.client.heading : {}
+    if (at === undefined) this.requested.at = this.iteration
     this.head(at === undefined ? { play } : { at, play })
   }
 

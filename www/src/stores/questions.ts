@@ -24,7 +24,7 @@ export const questionsTo = (client: RunClient, codeFor: (link: string) => string
       async (...given: unknown[]) => {
         const questions = client.api as unknown as Record<string, (...given: unknown[]) => Promise<unknown>>
         // What a link names may be a planner that somebody wrote here.
-        const all = name === 'parseLink' ? [given[0], codeFor(given[0] as string)] : given
+        const all = name === 'parseLink' ? [given[0], given[1] ?? codeFor(given[0] as string)] : given
         const answer = await questions[name]?.(...all)
         return isUnloaded(answer) ? { ...answer, refusal: worded(answer.refusal) } : answer
       },

@@ -1,4 +1,3 @@
-import { recallRun } from './kept-run'
 import { shortened } from './large-links'
 
 /** The rooms: where a newcomer begins, one run, several compared, what was published, where planners are written. */
@@ -52,11 +51,9 @@ class Route {
   /** Grows with each link that is opened from the address: entries of the history with this number are of the run that is here. */
   private opened = Date.now()
 
-  /** The link that the page was opened on, if it was one; in the Workshop, that of the last run there. */
+  /** The link that the page was opened on, if it was one. */
   get first(): string | null {
-    const place = placeOf(location.hash)
-    if (place) return place.view === 'workshop' && place.keys === '' ? recallRun() : null
-    return location.hash.length > 1 ? location.hash : null
+    return location.hash.length > 1 && !placeOf(location.hash) ? location.hash : null
   }
 
   /** The run is what is looked at. */

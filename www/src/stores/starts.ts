@@ -1,4 +1,5 @@
 import type { LinkSetup } from 'forage-lab'
+import type { OwnPlanner } from '../catalogue/own'
 import type { Questions } from '../engine/host/questions'
 import type { Opening, Refusal, Report } from '../engine/protocol'
 import type { Requests } from '../engine/requests'
@@ -59,13 +60,15 @@ export class Starts {
   openLink = async (link: string): Promise<boolean> => {
     const request = this.requests.note('setup', 'seed')
     let opened = true
+    let planner: OwnPlanner | null = null
     this.opening += 1
     const read = this.awaited.add(
       async () => {
-        const offer = carriesCode(link) ? await (await import('./own-code')).mayOpenLink(this.stores.own, link) : null
-        if (offer?.ok === false) return offer
-        if (offer?.value) return offer.value
-        return this.stores.api.parseLink(isShortened(link) ? await restored(link) : link)
+        const brought = carriesCode(link) ? await (await import('./own-code')).readLink(this.stores.own, link) : null
+        if (brought?.ok === false) return brought
+        if (brought?.value.offer) return brought.value.offer
+        planner = brought?.value.planner ?? null
+        return this.stores.api.parseLink(isShortened(link) ? await restored(link) : link, planner?.code)
       },
       (answer) => {
         // A code is to be seen first.
@@ -76,6 +79,7 @@ export class Starts {
         opened = answer.ok
         if (!answer.ok) this.stores.notices.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))
         else if (!this.requests.replaced(request, 'setup')) {
+          if (planner) this.stores.own.put(planner)
           this.openSetup(answer.value, request)
           this.applyPageKeys(readPageKeys(link))
         }
@@ -90,7 +94,7 @@ export class Starts {
 
   private openSetup(setup: LinkSetup, request: number): void {
     const { iteration, hash } = setup
-    this.stores.experiments.leave(false)
+    this.stores.experiments.leave({ compares: false })
     this.stores.setup.take(setup)
     this.promised = hash === undefined ? undefined : { hash, at: iteration }
     this.restart({ at: iteration, play: false }, request)
@@ -117,7 +121,7 @@ export class Starts {
   }
 
   begin(opening: Opening): number {
-    this.stores.experiments.leave(false)
+    this.stores.experiments.leave({ compares: false })
     this.promised = undefined
     return this.restart(opening)
   }
@@ -127,7 +131,7 @@ export class Starts {
     const { experiments, playback, run } = this.stores
     const scene = this.stores.scene.present
     const mends = where === 'code' && (playback.restarting || run.refusal !== null || run.status === 'failed')
-    if (where !== 'on') experiments.leave(true, mends)
+    if (where !== 'on') experiments.leave({ compares: true, mends })
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     if (scene && (scene.kind !== run.present?.scene.kind || scene.name !== run.present.scene.name)) this.stores.setup.suit(scene)
     if (where === 'on' || (where !== 'begin' && playback.restarting)) return this.restart(playback.requested, since)

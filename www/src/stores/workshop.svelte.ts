@@ -8,7 +8,7 @@ import { sameScene } from '../scene/equality'
 import type { Variable } from '../text/variables'
 import { changes } from '../text/variables'
 import { perLab } from './context.svelte'
-import { keepRun } from './kept-run'
+import { forgetRun, rememberRun } from './kept-run'
 import type { Lab } from './lab.svelte'
 import { DRAFT, type Draft, readCode, recallDraft, rememberDraft } from './own-code'
 import { unlessGone } from './questions'
@@ -121,10 +121,7 @@ export class Workshop {
 
   /** Puts a code into the editor. `run`: it runs at once. What was there is kept. */
   setCode(code: string, run: boolean, foreign = false): void {
-    if (this.text !== code && this.text !== '') {
-      this.last = { code: this.text, foreign: this.foreign }
-      rememberDraft(LAST, this.last)
-    }
+    if (this.text !== code && this.text !== '') this.keepLast()
     this.template = ''
     this.uncut = ''
     this.foreign = foreign
@@ -136,10 +133,16 @@ export class Workshop {
   /** Another code runs than before: undone, say. If the editor had what ran before, it has what runs now. */
   follow(before: string | undefined, now: string): void {
     if (before !== this.text || now === this.text) return
+    this.keepLast()
     this.uncut = ''
     this.foreign = this.lab.own.foreign.has(now)
     this.refused = null
     this.save(now)
+  }
+
+  private keepLast(): void {
+    this.last = { code: this.text, foreign: this.foreign }
+    rememberDraft(LAST, this.last)
   }
 
   private save(code: string): void {
@@ -205,7 +208,7 @@ export class Workshop {
     const runs = this.current && full === this.lab.atFullSpeed
     const answer = await readCode(this.lab.own, code, full).catch(unlessGone)
     if (request !== this.request) return
-    this.refused = answer && !answer.ok ? this.problemIn(answer.refusal) : null
+    this.refused = answer && !answer.ok ? this.problemIn(code, answer.refusal) : null
     if (!answer?.ok) return
     const { pending } = this.lab.own
     this.lab.own.pending = null
@@ -215,9 +218,9 @@ export class Workshop {
   }
 
   /** What is wrong with a code: of what its planner says of itself only the field is known, not the place. */
-  private problemIn(refusal: Refusal): Problem {
+  private problemIn(code: string, refusal: Refusal): Problem {
     const problem = problemOf(refusal)
-    const described = refusal.field !== '' && refusal.field !== 'code'
+    const described = refusal.field !== '' && refusal.field !== 'code' && this.text === code
     return { ...problem, line: problem.line ?? (described ? this.lineOf(refusal.field) : null) }
   }
 
@@ -231,15 +234,13 @@ export class Workshop {
     this.checking = true
     this.checked = null
     try {
-      const answer = await pool().run<Answer<Conformance>>((api) => api.conform(planner.code, this.shipped), {
-        signal: checks.signal,
-        code: true,
-      })
+      const answer = await pool().run<Answer<Conformance>>((api) => api.conform(planner.code, this.shipped), { signal: checks.signal })
       if (this.checks !== checks) return
       if (answer.ok) this.checked = answer.value
       else this.refused = problemOf(answer.refusal)
     } catch (error) {
-      if (this.checks === checks && error instanceof Error && !(error instanceof Aborted)) this.refused = problemOf(error)
+      if (this.checks === checks && error instanceof Error && !(error instanceof Aborted))
+        this.refused = problemOf({ message: error.message })
     } finally {
       if (this.checks === checks) this.stopChecks()
     }
@@ -252,11 +253,14 @@ export class Workshop {
     checks?.abort()
   }
 
-  /** The browser keeps the run, so that it is there again when the page is. */
+  /** The browser keeps a run of the user's own planner, so that it is there again when the page is. */
   keepRun(link: string | null): void {
     const { planner } = this
-    const foreign = planner !== null && this.lab.own.foreign.has(planner.code)
-    if (link !== null || planner?.packed === null) keepRun(foreign ? null : link)
+    if (!planner) return
+    // The planner of this name may be another one by now.
+    const isOwn = planner.packed !== null && link?.includes(planner.packed) && !this.lab.own.foreign.has(planner.code)
+    if (isOwn && link !== null) rememberRun(link)
+    else if (link !== null || planner.packed === null) forgetRun()
   }
 
   /** Asks what the planner has printed. */

@@ -108,6 +108,8 @@ export class Lab {
   /** Shows a tab of the column. */
   async tab(name: 'explain' | 'chart' | 'setup'): Promise<void> {
     await this.page.getByTestId(`tab-${name}`).click()
+    // The panels are loaded apart.
+    await this.page.locator(`#panel-${name}`).waitFor()
   }
 
   /** Of what is in a menu on small screens. */

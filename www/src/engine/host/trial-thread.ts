@@ -31,12 +31,18 @@ function refusedBy(error: unknown): Refusal {
   return refusal
 }
 
-/** Up to `pace` steps or, with a budget, parts of them; whether the run is over. */
-function advance(trial: Trial, pace: number, budget: number | null): boolean {
+/**
+ * Up to `pace` steps or, with a budget, parts of them; whether the run is over. `apart`: they are taken one by one, as long as there is
+ * time: each may take much longer than the one before.
+ */
+function advance(trial: Trial, pace: number, budget: number | null, apart: boolean): boolean {
+  const single = apart || budget !== null
+  const until = performance.now() + 2 * SLICE
   for (let left = pace; left > 0; left -= 1) {
-    const status = trial.advance(budget === null ? pace : 1)
+    const status = trial.advance(single ? 1 : pace)
     if (status !== 'running' && status !== 'partly') return true
-    if (budget === null) return false
+    if (!single || (apart && performance.now() > until)) return false
+    if (budget === null) continue
     // Within a step a planner may count what it has not evaluated yet.
     if (status === 'running' && trial.evaluations >= budget) return true
   }
@@ -44,12 +50,12 @@ function advance(trial: Trial, pace: number, budget: number | null): boolean {
 }
 
 /** Steps in slices, and long steps in parts, so that it can be called off; false if it was. */
-async function stepToEnd(trial: Trial, budget: number | null): Promise<boolean> {
+async function stepToEnd(trial: Trial, budget: number | null, apart: boolean): Promise<boolean> {
   let pace = 1
   if (budget !== null && trial.evaluations >= budget) return true
   for (;;) {
     const began = performance.now()
-    if (advance(trial, pace, budget)) return true
+    if (advance(trial, pace, budget, apart)) return true
     pace = Math.max(1, Math.floor(pace * Math.min(2, SLICE / Math.max(performance.now() - began, 0.1))))
     await breathe()
     if (stopped) return false
@@ -99,7 +105,7 @@ const api = {
       return { is: 'refused', refusal: refusedBy(error) }
     }
     try {
-      if (stopped || !(await stepToEnd(trial, budget))) return { is: 'stopped' }
+      if (stopped || !(await stepToEnd(trial, budget, setup.code !== undefined))) return { is: 'stopped' }
       const { evaluations, values } = trial.curve()
       const row: Row = { record: trial.record(), link: trial.link() + (code.ok ? code.value : ''), curve: { evaluations, values } }
       return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])

@@ -281,11 +281,16 @@ export class Comparison {
   /** All run on the same scene. */
   private join(): void {
     this.entrants = this.entrants.map(({ scene: _own, ...entrant }) => entrant)
+    if (this.removed) {
+      const { scene: _own, ...entrant } = this.removed.entrant
+      this.removed = { ...this.removed, entrant }
+    }
   }
 
   /** Others do it. */
   setTask = (task: Task): void => {
     this.chosen = task
+    this.removed = null
     this.entrants = this.rivals(undefined)
     this.changed()
   }

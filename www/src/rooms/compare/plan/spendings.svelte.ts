@@ -1,3 +1,4 @@
+import { isWatched } from '../../../catalogue/own'
 import { Aborted, pool } from '../../../engine/pool'
 import type { Answer } from '../../../engine/protocol'
 import type { Spending } from './plan'
@@ -27,7 +28,7 @@ export class Spendings {
       const controller = new AbortController()
       this.asked.set(key, controller)
       void pool()
-        .run<Answer<Spending>>((api) => api.spends(setup), { signal: controller.signal, code: setup.code !== undefined })
+        .run<Answer<Spending>>((api) => api.spends(setup), { signal: controller.signal, watched: isWatched(setup) })
         .then((answer) => (answer.ok ? answer.value : answer.refusal.message))
         .catch((error: unknown) => (error instanceof Aborted ? null : error instanceof Error ? error.message : String(error)))
         .then((found) => {
