@@ -169,7 +169,7 @@ for (const [field, entries] of Object.entries(shipped))
   for (const { name } of entries) if (!holds[field][name]) throw new Error(`no part holds the ${field} ${name}`)
 holds.role = {}
 // What reads a scene's field is asked for as a tool.
-holds.field = { expression: ['formulas'], objective: ['code'], objectives: ['code'] }
+holds.field = { expression: ['formulas'], instance: ['formulas'], objective: ['code'], objectives: ['code'] }
 holds.tool = Object.fromEntries(parts.map((part) => [part, [part]]))
 
 // The scenes that ship are files apart: those of a part come with it.

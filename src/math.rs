@@ -77,19 +77,29 @@ pub fn ordered(numbers: impl IntoIterator<Item = f64>) -> Vec<(f64, usize)> {
     pairs
 }
 
-/// Sorts numbers, by Shell's method: a fifteenth of the code of std's sort, which would be another instance of it in the download.
+/// Sorts numbers.
 pub fn sort_numbers(numbers: &mut [f64]) {
-    let mut gap = numbers.len();
+    sort_by(numbers, |a, b| a.total_cmp(&b).is_gt());
+}
+
+/// Sorts indices.
+pub fn sort_indices<T: Copy + Ord>(indices: &mut [T]) {
+    sort_by(indices, |a, b| a > b);
+}
+
+/// Sorts by Shell's method: a fifteenth of the code of std's sort, which would be another instance of it in the download.
+fn sort_by<T: Copy>(items: &mut [T], behind: impl Fn(T, T) -> bool) {
+    let mut gap = items.len();
     while gap > 1 {
         gap = if gap < 5 { 1 } else { (gap * 5 - 1) / 11 };
-        for i in gap..numbers.len() {
-            let number = numbers[i];
+        for i in gap..items.len() {
+            let item = items[i];
             let mut at = i;
-            while at >= gap && numbers[at - gap].total_cmp(&number).is_gt() {
-                numbers[at] = numbers[at - gap];
+            while at >= gap && behind(items[at - gap], item) {
+                items[at] = items[at - gap];
                 at -= gap;
             }
-            numbers[at] = number;
+            items[at] = item;
         }
     }
 }

@@ -54,8 +54,16 @@ pub const DRIVES: &[&Entry] =
     &[&dynamic::wolf_ant_drive::ENTRY, &dynamic::a_star_drive::ENTRY, &dynamic::d_star_lite_drive::ENTRY, &tuning::ENTRY];
 
 /// Generators of random scenes.
-pub const GENERATORS: &[&Generator] =
-    &[&generate::RANDOM, &generate::RUBBLE, &generate::ROOMS, &generate::MAZE, &generate::STOPS, &generate::DISCS, &generate::SHIFTED];
+pub const GENERATORS: &[&Generator] = &[
+    &generate::RANDOM,
+    &generate::RUBBLE,
+    &generate::ROOMS,
+    &generate::MAZE,
+    &generate::STOPS,
+    &generate::DISCS,
+    &generate::SHIFTED,
+    &generate::BBOB,
+];
 
 /// Who follows a path.
 const FOLLOWERS: &[&Follower] = &[&drive::ENTRY, &motion::ENTRY];

@@ -88,6 +88,19 @@ struct NamedFunction {
     shift: Option<Vec<f64>>,
 }
 
+/// A function of the suite `bbob`.
+#[derive(TS)]
+#[ts(optional_fields)]
+struct SuiteFunction {
+    /// Which: `bbob-1` to `bbob-24`.
+    #[ts(type = "`bbob-${number}`")]
+    function: String,
+    /// Which instance, from 1; left out: 1.
+    instance: Option<u32>,
+    /// The number of variables, from 2 to 40.
+    dimension: usize,
+}
+
 /// A function by formula.
 #[derive(TS)]
 #[ts(optional_fields)]
@@ -116,6 +129,7 @@ struct Sides {
 }
 
 file!(NamedFile, "NamedFunctionScene", "'function'", NamedFunction);
+file!(SuiteFile, "SuiteFunctionScene", "'function'", SuiteFunction);
 file!(FormulaFile, "FormulaScene", "'function'", FormulaFunction);
 
 /// A scene with a function to minimise.
@@ -123,6 +137,7 @@ file!(FormulaFile, "FormulaScene", "'function'", FormulaFunction);
 #[ts(rename = "FunctionScene", untagged)]
 enum FunctionFile {
     Named(NamedFile),
+    Suite(SuiteFile),
     Formula(FormulaFile),
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::{kernel::Message, message};
+use crate::{kernel::Message, math, message};
 
 use super::{
     body::{Done, Plan, Pose},
@@ -232,7 +232,7 @@ impl Journey {
 
     fn take(&mut self, offer: Offer, detour: bool, blockers: &[Conflict]) {
         let mut blockers: Vec<_> = blockers.iter().map(|conflict| conflict.obstacle).collect();
-        blockers.sort_unstable();
+        math::sort_indices(&mut blockers);
         blockers.dedup();
         self.calm();
         (self.plan, self.local_goal, self.hold) = (offer.plan, offer.local_goal, None);

@@ -47,6 +47,11 @@ impl Fields {
         self.place(name).is_some()
     }
 
+    /// The text in a field that was not read yet.
+    pub(crate) fn peek(&self, name: &str) -> Option<&str> {
+        self.place(name).and_then(|at| self.left[at].1.as_str())
+    }
+
     /// Lists a field among those that are allowed here, without reading it.
     pub fn allow(&mut self, name: &'static str) {
         self.known.push(name);

@@ -2,7 +2,7 @@
 //! that may be moved are at 1 to m.
 
 use super::problem::{Problem, Stop, Tour};
-use crate::kernel::rng::Stream;
+use crate::{kernel::rng::Stream, math};
 
 /// What reversing the stops at `i` to `j` adds to the length: a 2-opt move. 1 ≤ i ≤ j ≤ m.
 #[inline]
@@ -68,7 +68,7 @@ pub fn two_stretches(m: usize, rng: &mut Stream) -> [usize; 3] {
     let third = if third >= first { third + 1 } else { third };
     let third = if third >= second { third + 1 } else { third };
     let mut gaps = [first, second, third];
-    gaps.sort_unstable();
+    math::sort_indices(&mut gaps);
     [gaps[0], gaps[1] - 1, gaps[2] - 1]
 }
 

@@ -1,6 +1,6 @@
 //! Which node is nearest: a grid of cells over the space, as fine as there are nodes. No scan of all nodes.
 
-use crate::kernel::State;
+use crate::{kernel::State, math};
 
 use super::vector::squared;
 
@@ -174,7 +174,7 @@ impl<const N: usize> Nearest<N> {
                 }
             }
         }
-        out.sort_unstable();
+        math::sort_indices(out);
     }
 }
 

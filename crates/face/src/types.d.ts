@@ -389,7 +389,7 @@ export type Friedman = {
 }
 
 /** A scene with a function to minimise. */
-export type FunctionScene = NamedFunctionScene | FormulaScene
+export type FunctionScene = NamedFunctionScene | SuiteFunctionScene | FormulaScene
 
 /** What makes random scenes. */
 export type Generator = { name: GeneratorName; title: string; help: string; parameters: Array<Parameter> }
@@ -1000,6 +1000,32 @@ export type Suggestion = {
   iterations: number
   /** The source, e.g. `[LTQPSO] (10)`. */
   source: string
+}
+
+export type SuiteFunctionScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'function'
+  /** Short identifier, used in links and on the command line. */
+  name: string
+  /** A line for people. */
+  title: string
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** Which: `bbob-1` to `bbob-24`. */
+  function: `bbob-${number}`
+  /** Which instance, from 1; left out: 1. */
+  instance?: number
+  /** The number of variables, from 2 to 40. */
+  dimension: number
 }
 
 /** Mean, spread and order statistics of a sample. */

@@ -241,7 +241,7 @@ impl<'a> Search<'a> {
         let mut seen = std::mem::take(&mut self.seen);
         self.look(turn, arrive, &mut seen);
         // A corner between two quadrants is seen in both.
-        seen.sort_unstable();
+        math::sort_indices(&mut seen);
         seen.dedup();
         self.join(turn, GOAL);
         for corner in seen.drain(..) {

@@ -109,7 +109,8 @@ impl FunctionScene {
         }
     }
 
-    pub(super) fn minimum(&self) -> Option<Minimum> {
+    /// The least value, if it is known.
+    pub fn minimum(&self) -> Option<Minimum> {
         match &self.source {
             Source::Named(_) => Some(Minimum::from(0.0)),
             Source::Written { minimum, .. } => *minimum,

@@ -12,18 +12,27 @@ use crate::{
 };
 
 use super::{
+    bbob,
     body::{FunctionScene, ID, Source},
     formula, read,
 };
 
-/// The kind `function`: functions to minimise, by name and by formula.
+/// The kind `function`: functions to minimise, by name, by formula, and those of the suite `bbob`.
 pub const KIND: SceneKind = SceneKind {
-    read: |fields| Ok(Arc::new(if fields.has(read::EXPRESSION) { formula::read(fields)? } else { read::read(fields)? })),
+    read: |fields| {
+        Ok(Arc::new(if fields.has(read::EXPRESSION) {
+            formula::read(fields)?
+        } else if read::is_of_suite(fields) {
+            bbob::read(fields)?
+        } else {
+            read::read(fields)?
+        }))
+    },
     ..NAMED
 };
 
-/// The same without functions by formula, for a build that leaves out what compiles them or loads it later: a scene with a formula is
-/// refused for the tool `formulas`.
+/// The same without functions by formula and those of suites, for a build that leaves them out or loads them later: a scene with one of
+/// them is refused for the tool `formulas`.
 pub const NAMED: SceneKind = SceneKind {
     id: ID,
     title: words("test functions"),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     kernel::{Error, limits, rng::Stream},
-    message,
+    math, message,
     scene::{GridScene, Header, MAX_GRID_STOPS, Scene, grid},
 };
 
@@ -83,6 +83,6 @@ fn room(grid: &GridScene) -> Vec<usize> {
     };
     largest.retain(|&cell| !ends.contains(&Some(cell)));
     // In reading order: where a search came along first is nobody's business.
-    largest.sort_unstable();
+    math::sort_indices(&mut largest);
     largest
 }

@@ -3,8 +3,9 @@
 //!
 //! Grids have a way from start to goal without cutting corners: `scatter` blocks a share of the cells, `rooms` begins with
 //! all blocked and opens some, `calls` puts stops on them, and `moving` adds moving obstacles. `grids` puts a grid together. `points` are
-//! stops in the plane, `discs` obstacles there, and `function` is a test function with its minimum somewhere else.
+//! stops in the plane, `discs` obstacles there, and `function` is a test function with its minimum somewhere else, `bbob` one of that suite.
 
+mod bbob;
 mod calls;
 mod discs;
 mod function;
@@ -17,6 +18,7 @@ mod scatter;
 #[cfg(test)]
 mod tests;
 
+pub use bbob::BBOB;
 pub use calls::with_stops;
 pub use discs::DISCS;
 pub use function::SHIFTED;

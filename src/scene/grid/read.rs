@@ -84,7 +84,7 @@ fn rows(fields: &mut Fields, y_axis: YAxis) -> Result<(usize, Vec<bool>), Error>
             return Err(Error::refused(name, shown(line), message!("scene-row", "a text of . and #")));
         };
         if let Some(wrong) = line.chars().find(|c| !matches!(c, '.' | '#')) {
-            let found = message!("scene-character", "the character {character}", character = format!("{wrong:?}"));
+            let found = message!("scene-character", "the character {character}", character = shown_character(wrong));
             return Err(Error::refused(name, found, message!("scene-row-of", "only . (free) and # (blocked)")));
         }
         if *columns.get_or_insert(line.len()) != line.len() {
@@ -94,6 +94,11 @@ fn rows(fields: &mut Fields, y_axis: YAxis) -> Result<(usize, Vec<bool>), Error>
         blocked.extend(line.bytes().map(|c| c == b'#'));
     }
     Ok((columns.unwrap_or(0), blocked))
+}
+
+/// A character between quotes; one that a terminal would act on by its number.
+fn shown_character(character: char) -> String {
+    if character.is_control() { format!("'{}'", character.escape_unicode()) } else { format!("'{character}'") }
 }
 
 fn robot(value: Value) -> Result<Robot, Error> {

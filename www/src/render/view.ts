@@ -1,4 +1,4 @@
-import type { FormulaScene, NamedFunctionScene, Point, Scene } from 'forage-lab'
+import type { FormulaScene, NamedFunctionScene, SuiteFunctionScene, Point, Scene } from 'forage-lab'
 import { stopsOf } from '../scene/stops'
 
 /** Which part of the plane is seen: the middle, and how many pixels a unit is. */
@@ -36,6 +36,11 @@ const REACH: Readonly<Record<NamedFunctionScene['function'], number>> = {
   rastrigin: 5.12,
 }
 
+/** The same of the functions of the suite bbob. */
+const SUITE = 5
+
+const isNamed = (scene: NamedFunctionScene | SuiteFunctionScene): scene is NamedFunctionScene => scene.function in REACH
+
 /** Where a scene takes place. */
 export function extent(scene: Scene): Box {
   if (scene.kind === 'discs') return scene.bounds
@@ -44,7 +49,7 @@ export function extent(scene: Scene): Box {
   if (scene.kind === 'arm')
     return { min: [scene.workspace.min[0], scene.workspace.min[1]], max: [scene.workspace.max[0], scene.workspace.max[1]] }
   if ('expression' in scene) return sides(scene)
-  const reach = REACH[scene.function]
+  const reach = isNamed(scene) ? REACH[scene.function] : SUITE
   return { min: [-reach, -reach], max: [reach, reach] }
 }
 

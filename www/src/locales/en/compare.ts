@@ -59,6 +59,10 @@ export const compare = {
     all: {
       swarms: { title: 'Four swarms among discs', help: 'Hens and chicks, and three plain swarms, on the scene of their paper.' },
       inertia: { title: 'Three inertias', help: 'One planner on Rastrigin’s function with w = 0.4, 0.6 and 0.8: small values get stuck.' },
+      bbob: {
+        title: 'A function of the suite bbob',
+        help: 'Rastrigin’s function in 10 variables, moved, turned and distorted: 15 instances, 1,000 evaluations for each variable.',
+      },
       quantum: { title: 'Quantum swarms', help: 'Does the evolving swarm go farther than the plain quantum swarm?' },
       ants: { title: 'Four colonies', help: 'Which rule finds the shortest way, and how soon?' },
       maps: {
