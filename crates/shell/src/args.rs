@@ -2,7 +2,7 @@
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
-use clap::{Args, Parser, Subcommand, ValueHint};
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
 use super::{examples, names, names::Offered};
 
@@ -61,6 +61,11 @@ pub(super) enum Command {
     /// continues. The complete file has the same bytes whatever the number of threads, interruptions or parts.
     #[command(after_help = examples::EXPERIMENT)]
     Experiment(ExperimentArgs),
+    /// Run planners on a suite by which the field compares itself, and write what its tools read.
+    ///
+    /// Finished runs are kept: after an interruption the same command continues.
+    #[command(after_help = examples::BENCH)]
+    Bench(BenchArgs),
     /// Print a completion script for a shell.
     #[command(after_help = examples::COMPLETIONS)]
     Completions {
@@ -135,6 +140,50 @@ pub(super) struct GradeArgs {
     /// Grade one link that comes by standard input: code that does not end ends only with its program.
     #[arg(long, hide = true)]
     pub(super) alone: bool,
+}
+
+#[derive(Args)]
+pub(super) struct BenchArgs {
+    /// The suite.
+    #[arg(value_name = "SUITE", value_enum)]
+    pub(super) suite: Suite,
+    /// Who takes part, with commas between; default: all that can.
+    #[arg(long, value_name = "PLANNERS", value_delimiter = ',')]
+    pub(super) planners: Vec<String>,
+    /// A parameter of all planners that take part, or with `PLANNER.` before it of one of them. Can be given several times.
+    #[arg(long, value_name = "[PLANNER.]NAME=VALUE")]
+    pub(super) set: Vec<String>,
+    /// Numbers of functions: `1-5,8`; default: all.
+    #[arg(long, value_name = "LIST")]
+    pub(super) functions: Option<String>,
+    /// Numbers of variables: `2,10`; default: 2, 3, 5, 10, 20, 40.
+    #[arg(long, value_name = "LIST")]
+    pub(super) dimensions: Option<String>,
+    /// Instances: `1-5`; default: 1-15.
+    #[arg(long, value_name = "LIST")]
+    pub(super) instances: Option<String>,
+    /// Evaluations for each variable.
+    #[arg(long, value_name = "N", default_value_t = forage_study::bench::bbob::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    pub(super) budget: u64,
+    /// The folder for rows, report and files of the suite's tools; default: the suite's name.
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(super) out: Option<PathBuf>,
+    /// How many threads to use; default: all cores. The rows do not depend on it.
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    pub(super) jobs: Option<NonZeroUsize>,
+    /// Run only part I of N, into a file of rows of its own; without it, the rows of all parts in the folder are taken.
+    #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
+    pub(super) shard: Option<String>,
+    /// Start over: throw away the rows that are there.
+    #[arg(long)]
+    pub(super) fresh: bool,
+}
+
+/// Suites of benchmarks.
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Suite {
+    /// The 24 noiseless functions of COCO.
+    Bbob,
 }
 
 #[derive(Args)]

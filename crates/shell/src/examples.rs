@@ -74,6 +74,12 @@ pub(super) const MAN: &str = "Examples:
 pub(super) const LICENSES: &str = "Example:
   forage licenses";
 
+pub(super) const BENCH: &str = "Examples:
+  forage bench bbob
+  forage bench bbob --planners pso,wcpso --dimensions 2,10 --budget 10000 --out swarms
+  forage bench bbob --set pso.w=0.7 --functions 1-5 --instances 1-5
+  python3 -m cocopp swarms/coco/pso swarms/coco/wcpso";
+
 pub(super) const EXPERIMENT: &str = "Examples:
   forage experiment --example > sweep.toml
   forage experiment sweep.toml

@@ -23,6 +23,7 @@
 //! scenes and setups.
 
 mod args;
+mod bench;
 mod convert;
 mod exact;
 mod examples;
@@ -78,6 +79,7 @@ pub fn main_with(known: Registry) -> ExitCode {
         Command::Reproduce(args) => reproduce::reproduce(args),
         Command::Study(args) => reproduce::study(args),
         Command::Experiment(args) => experiment::experiment(&args),
+        Command::Bench(args) => bench::bench(&args),
         Command::Completions { shell } => install::completions(shell),
         Command::Man { out } => install::man(out.as_deref()),
         Command::Licenses => install::licenses(),

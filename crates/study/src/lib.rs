@@ -6,7 +6,7 @@
 //! [`regression`], [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
 //! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`](registry::REPRODUCTIONS); nothing else lists them. What
 //! papers say in words is in [`claims`]. Studies of our own are made
-//! the same way and listed in [`STUDIES`](registry::STUDIES). Sweeps are in [`sweep`].
+//! the same way and listed in [`STUDIES`](registry::STUDIES). Sweeps are in [`sweep`], the suites of the field in [`bench`].
 //!
 //! Files import one way. On top lies [`registry`], the list of all studies.
 #![cfg(not(target_arch = "wasm32"))]
@@ -15,6 +15,7 @@ pub mod antbat;
 pub mod antbat_time;
 pub mod antbat_tours;
 pub mod arm_rrt;
+pub mod bench;
 pub mod chart;
 pub mod claims;
 mod colonies;

@@ -1,6 +1,7 @@
 //! The command line as users call it: what it prints, writes, refuses and keeps, and its exit codes.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod bench;
 mod code;
 mod convert;
 mod experiment;

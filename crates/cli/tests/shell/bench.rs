@@ -1,0 +1,80 @@
+//! `forage bench`.
+
+use std::{fs, path::Path};
+
+use crate::support::{empty_folder, forage, text};
+
+/// Everything but the folder.
+const SMALL: &[&str] = &["bench", "bbob", "--planners", "pso,qpso", "--functions", "1,8", "--dimensions", "2,3", "--instances", "1-3"];
+
+fn carry_out(folder: &Path, more: &[&str]) -> std::process::Output {
+    forage(&[SMALL, &["--budget", "200", "--out", folder.to_str().unwrap()], more].concat())
+}
+
+#[test]
+fn runs_are_kept_in_parts_or_whole_and_the_files_are_the_same() {
+    let [whole, split] = ["bench-whole", "bench-split"].map(empty_folder);
+    let output = carry_out(&whole, &["--jobs", "1"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    assert!(printed.contains("D = 2") && printed.contains("of 12"), "{printed}");
+    for part in ["1/2", "2/2"] {
+        let output = carry_out(&split, &["--shard", part]);
+        assert!(text(&output.stdout).contains("12 of 24 runs"), "{}", text(&output.stdout));
+    }
+    assert_eq!(text(&carry_out(&split, &[]).stdout), printed);
+    for file in ["rows.csv", "report.md", "targets.svg", "coco/pso/bbobexp_f8.info", "coco/qpso/data_f1/bbobexp_f1_DIM3.dat"] {
+        assert_eq!(fs::read_to_string(whole.join(file)).unwrap(), fs::read_to_string(split.join(file)).unwrap(), "{file}");
+    }
+    // Other runs are added to what is there.
+    let before = fs::read_to_string(whole.join("rows.csv")).unwrap();
+    let more = ["bench", "bbob", "--planners", "pso", "--functions", "5", "--dimensions", "2", "--instances", "1", "--budget", "200"];
+    let output = forage(&[&more[..], &["--out", whole.to_str().unwrap()]].concat());
+    assert!(text(&output.stdout).contains("of 1"), "{}", text(&output.stderr));
+    let after = fs::read_to_string(whole.join("rows.csv")).unwrap();
+    assert!(after.lines().count() == before.lines().count() + 1 && before.lines().all(|line| after.contains(line)));
+}
+
+#[test]
+fn no_run_has_more_evaluations_than_the_budget() {
+    let folder = empty_folder("bench-budget");
+    // The population does not divide the budget.
+    let output = carry_out(&folder, &["--set", "pso.population=7"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let mut rows = csv::Reader::from_path(folder.join("rows.csv")).unwrap();
+    let mut count = 0;
+    for row in rows.records() {
+        let row = row.unwrap();
+        let [budget, evaluations] = [5, 6].map(|column| row[column].parse::<u64>().unwrap());
+        assert!(evaluations <= budget, "{row:?}");
+        assert_eq!(&row[1] == "population=7", &row[0] == "pso", "{row:?}");
+        let last = row[8].rsplit(' ').next().unwrap().split_once(':').unwrap();
+        assert!(last.0.parse::<u64>().unwrap() <= evaluations && last.1 == &row[7], "{row:?}");
+        count += 1;
+    }
+    assert_eq!(count, 24);
+}
+
+#[test]
+fn what_is_wrong_is_refused_before_anything_runs() {
+    let folder = empty_folder("bench-refused");
+    let out = folder.join("none");
+    for (more, said) in [
+        (&["--planners", "nobody"][..], "--planners"),
+        (&["--planners", "pso,a-star"], "--planners"),
+        (&["--set", "nobody.w=1"], "--set"),
+        (&["--set", "w"], "name=value"),
+        (&["--functions", "25"], "from 1 to 24"),
+        (&["--functions", "5-2"], "--functions"),
+        (&["--dimensions", "1"], "from 2 to 40"),
+        (&["--instances", "0"], "--instances"),
+        (&["--shard", "3/2"], "--shard"),
+        (&["--set", "pso.w=nine"], "w"),
+    ] {
+        let given = [&["bench", "bbob", "--out", out.to_str().unwrap(), "--budget", "10"], more].concat();
+        let output = forage(&given);
+        assert_eq!(output.status.code(), Some(2), "{more:?}: {}", text(&output.stderr));
+        assert!(text(&output.stderr).contains(said), "{more:?}: {}", text(&output.stderr));
+        assert!(!out.join("rows.csv").exists(), "{more:?}");
+    }
+}

@@ -1,0 +1,146 @@
+//! `forage bench`.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
+
+use forage::{
+    Error, Overrides,
+    kernel::Message,
+    scene::function::{BBOB_DIMENSIONS, BBOB_FUNCTIONS, BBOB_INSTANCES},
+};
+use forage_study::{
+    bench::{
+        Contender,
+        bbob::{self, Plan, Row},
+    },
+    runner::{self, Control},
+    sweep::Part,
+};
+
+use super::{
+    args::{BenchArgs, Suite},
+    failure::{Failure, Outcome},
+    files, interrupt,
+    load::read_pairs,
+    output::{note, print},
+    progress,
+    registry::registry,
+    text::quoted,
+};
+
+/// What the files of rows are called, before what tells parts apart.
+const ROWS: &str = "rows";
+
+pub(super) fn bench(args: &BenchArgs) -> Outcome {
+    let Suite::Bbob = args.suite;
+    let plan = Plan {
+        contenders: contenders(args)?,
+        functions: numbers("--functions", args.functions.as_deref(), 1, BBOB_FUNCTIONS, (1..=BBOB_FUNCTIONS).collect())?,
+        dimensions: numbers("--dimensions", args.dimensions.as_deref(), BBOB_DIMENSIONS.0, BBOB_DIMENSIONS.1, bbob::DIMENSIONS.to_vec())?,
+        instances: numbers("--instances", args.instances.as_deref(), 1, BBOB_INSTANCES, (1..=bbob::INSTANCES).collect())?,
+        budget: args.budget,
+    };
+    let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
+    // One function says it for all.
+    Plan { functions: vec![1], instances: vec![1], ..plan.clone() }.check(registry())?;
+    let folder = args.out.clone().unwrap_or_else(|| PathBuf::from("bbob"));
+    files::check_folder("--out", &folder)?;
+    fs::create_dir_all(&folder).map_err(|error| Failure::write(&folder, error))?;
+    let jobs = plan.jobs(registry());
+    let rows = carry_out(&jobs, part, &folder, args)?;
+    if part.of > 1 {
+        return print(&format!("{} of {} runs are in {}", rows.len(), jobs.len(), quoted(&folder.to_string_lossy())))
+            .map(|()| ExitCode::SUCCESS);
+    }
+    let written = bbob::write(&rows, &folder)?;
+    print(&bbob::table(&rows))?;
+    let shown: Vec<_> = written.iter().map(|path| quoted(&path.to_string_lossy())).collect();
+    note(&format!("wrote {}, and what cocopp and iohinspector read beside them", shown.join(" and ")));
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Runs the part's jobs whose rows are missing, and returns the part's rows.
+fn carry_out(jobs: &[bbob::Task], part: Part, folder: &Path, args: &BenchArgs) -> Result<Vec<Row>, Failure> {
+    let own: Vec<bbob::Task> = part.jobs(jobs.len()).map(|job| jobs[job].clone()).collect();
+    let name = if part.of > 1 { format!("{ROWS}.{}-of-{}.csv", part.index, part.of) } else { format!("{ROWS}.csv") };
+    let file = folder.join(name);
+    if part.of == 1 && !args.fresh {
+        bbob::gather(&file, &parts(folder)?)?;
+    }
+    let stop = interrupt::flag();
+    let bar = progress::bar("bbob");
+    let show = |done, total| progress::show(&bar, done, total);
+    let control = Control { stop: &stop, progress: &show };
+    let rows = runner::run(&own, &file, args.fresh, args.jobs.map(usize::from), &control);
+    bar.finish_and_clear();
+    Ok(rows?)
+}
+
+/// The files of rows of parts that are in a folder.
+fn parts(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let is_part = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.strip_prefix(ROWS).and_then(|rest| rest.strip_suffix(".csv")).is_some_and(|part| part.contains("-of-"))
+    };
+    let entries = fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let mut all: Vec<PathBuf> =
+        entries.map_err(|error| Failure::read(folder, error))?.iter().map(fs::DirEntry::path).filter(is_part).collect();
+    all.sort();
+    Ok(all)
+}
+
+/// Who takes part, with what is set of them.
+fn contenders(args: &BenchArgs) -> Result<Vec<Contender>, Failure> {
+    let everyone = Plan::everyone(registry());
+    let known: Vec<&str> = everyone.iter().map(|contender| contender.planner.as_str()).collect();
+    let mut chosen = Vec::new();
+    for name in &args.planners {
+        let found = everyone.iter().find(|contender| contender.planner == *name);
+        chosen.push(found.cloned().ok_or_else(|| Error::unknown("--planners", name, known.iter().copied()))?);
+    }
+    if chosen.is_empty() {
+        chosen.clone_from(&everyone);
+    }
+    for pair in &args.set {
+        let (left, _) = pair.split_once('=').unwrap_or((pair, ""));
+        let (planner, pair) = match left.split_once('.') {
+            Some((planner, _)) => (Some(planner), &pair[planner.len() + 1..]),
+            None => (None, pair.as_str()),
+        };
+        let mut params = Overrides::default();
+        read_pairs("--set", &[pair.to_owned()], &mut params)?;
+        let meant: Vec<_> = chosen.iter_mut().filter(|contender| planner.is_none_or(|planner| contender.planner == planner)).collect();
+        if meant.is_empty() {
+            let names: Vec<&str> = known.clone();
+            return Err(Error::unknown("--set", planner.unwrap_or_default(), names).into());
+        }
+        for contender in meant {
+            params.iter().for_each(|(name, value)| contender.params.insert(name, value.clone()));
+        }
+    }
+    Ok(chosen)
+}
+
+/// A list of numbers and ranges: `1-5,8`.
+fn numbers(option: &str, given: Option<&str>, least: usize, most: usize, otherwise: Vec<usize>) -> Result<Vec<usize>, Failure> {
+    let Some(text) = given else { return Ok(otherwise) };
+    let refused = || {
+        let allowed = format!("numbers from {least} to {most} with commas between, or ranges like 2-5");
+        Failure::from(Error::refused(option, text, Message::verbatim(allowed)))
+    };
+    let mut all = Vec::new();
+    for piece in text.split(',') {
+        let (from, to) = piece.split_once('-').unwrap_or((piece, piece));
+        let (Ok(from), Ok(to)) = (from.parse::<usize>(), to.parse::<usize>()) else { return Err(refused()) };
+        if from > to || from < least || to > most {
+            return Err(refused());
+        }
+        all.extend(from..=to);
+    }
+    all.sort_unstable();
+    all.dedup();
+    Ok(all)
+}

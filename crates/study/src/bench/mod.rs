@@ -1,0 +1,53 @@
+//! Suites by which a field compares itself, with planners of ours: `forage bench`.
+//!
+//! A suite is a list of [jobs](super::runner::Job), whose rows are kept like those of any experiment. Out of the rows the files are
+//! written that others' tools read.
+
+pub mod bbob;
+mod coco;
+mod iohprofiler;
+mod recorder;
+mod report;
+mod row;
+mod targets;
+
+use std::sync::Arc;
+
+use forage::{Error, Overrides, Registry, Run, Setup, Status, params::Domain};
+
+/// A planner that takes part, with what is set of it.
+#[derive(Debug, Clone)]
+pub struct Contender {
+    /// The planner's name.
+    pub planner: String,
+    /// Parameters that differ from the defaults.
+    pub params: Overrides,
+}
+
+/// The parameter by which planners say how long they run.
+const ITERATIONS: &str = "iterations";
+
+/// After how many iterations a run has spent `budget` evaluations, by its first step that spends some: schedules over the iterations, as
+/// of an inertia weight, come to their end there.
+///
+/// # Errors
+/// What the planner refuses.
+pub fn iterations_within(registry: &Arc<Registry>, setup: &Setup, budget: u64) -> Result<u64, Error> {
+    let mut run = Run::with_keyframes(registry, setup.clone(), 0)?;
+    let begun = run.evaluations();
+    let mut idle = 0;
+    let spent = loop {
+        let status = run.step(1);
+        let spent = run.evaluations() - begun;
+        if spent > 0 || status != Status::Running {
+            break spent;
+        }
+        idle += 1;
+    };
+    let parameter = registry.planner(&setup.planner)?.parameter(ITERATIONS);
+    let most = match parameter.map(|parameter| parameter.domain) {
+        Some(Domain::Integer { max, .. }) => max,
+        _ => u64::MAX,
+    };
+    Ok((idle + budget.saturating_sub(begun).div_ceil(spent.max(1))).clamp(1, most))
+}

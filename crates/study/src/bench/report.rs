@@ -1,0 +1,172 @@
+//! How the planners compare: a table, a report in Markdown, and how many targets are reached over the evaluations.
+
+use std::{
+    collections::BTreeSet,
+    error::Error,
+    fmt::Write as _,
+    fs, io,
+    path::{Path, PathBuf},
+};
+
+use plotters::prelude::*;
+
+use super::{
+    super::{
+        failure::{Failure, at},
+        table::{Cell, Table},
+    },
+    row::{Row, TITLES},
+    targets,
+};
+
+const SIZE: (u32, u32) = (900, 560);
+/// Of Okabe and Ito: they can be told apart by everyone.
+const COLOURS: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(86, 180, 233),
+    RGBColor(230, 159, 0),
+    RGBColor(0, 0, 0),
+];
+
+/// In the order of the rows.
+fn contenders(rows: &[Row]) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for row in rows {
+        if !all.contains(&row.contender()) {
+            all.push(row.contender());
+        }
+    }
+    all
+}
+
+fn sorted(of: impl Iterator<Item = usize>) -> Vec<usize> {
+    of.collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// After how many evaluations a variable each target was reached, of all runs: those that were.
+fn times<'a>(rows: impl Iterator<Item = &'a Row>) -> (Vec<f64>, usize) {
+    let (mut reached, mut all) = (Vec::new(), 0);
+    for row in rows {
+        let course = row.course();
+        let hits = (0..targets::ALL).filter_map(|k| targets::hit(&course, targets::target(k)));
+        reached.extend(hits.map(|at| at as f64 / row.dimension as f64));
+        all += targets::ALL;
+    }
+    reached.sort_by(f64::total_cmp);
+    (reached, all)
+}
+
+/// The expected running time to a target: all evaluations by all successes. None, if it was never reached.
+fn expected(rows: &[&Row], level: f64) -> Option<f64> {
+    let hits: Vec<_> = rows.iter().map(|row| targets::hit(&row.course(), level)).collect();
+    let successes = hits.iter().flatten().count();
+    let spent: u64 = hits.iter().zip(rows).map(|(hit, row)| hit.unwrap_or(row.evaluations)).sum();
+    (successes > 0).then(|| spent as f64 / successes as f64)
+}
+
+fn shares(rows: &[Row]) -> Table {
+    let dimensions = sorted(rows.iter().map(|row| row.dimension));
+    let names: Vec<String> = dimensions.iter().map(|dimension| format!("D = {dimension}")).collect();
+    let columns: Vec<&str> = ["planner"].into_iter().chain(names.iter().map(String::as_str)).chain(["all", "solved"]).collect();
+    let mut table = Table::new("bbob", "Share of targets reached within the budget, and runs that were solved", &columns);
+    for contender in contenders(rows) {
+        let own = || rows.iter().filter(|row| row.contender() == contender);
+        let share = |(reached, all): (Vec<f64>, usize)| Cell::maybe((all > 0).then(|| reached.len() as f64 / all as f64), 3);
+        let by_dimension = dimensions.iter().map(|dimension| share(times(own().filter(|row| row.dimension == *dimension))));
+        let solved = own().filter(|row| row.gap <= targets::FINAL).count();
+        let last = Cell::Text(format!("{solved} of {}", own().count()));
+        table.rows.push([Cell::Text(contender.clone())].into_iter().chain(by_dimension).chain([share(times(own())), last]).collect());
+    }
+    table
+}
+
+/// The table that is printed.
+pub(super) fn table(rows: &[Row]) -> String {
+    shares(rows).text()
+}
+
+/// Expected running times to 10⁻¹ for each function, in one dimension.
+fn running_times(rows: &[Row], dimension: usize) -> Table {
+    let contenders = contenders(rows);
+    let columns: Vec<&str> = ["function"].into_iter().chain(contenders.iter().map(String::as_str)).collect();
+    let title = format!("Expected evaluations until 0.1 above the optimum, D = {dimension}; empty: no run came so far");
+    let mut table = Table::new(format!("ert-{dimension}"), title, &columns);
+    for function in sorted(rows.iter().map(|row| row.function)) {
+        let time = |contender: &String| {
+            let own = rows.iter().filter(|row| row.function == function && row.dimension == dimension && row.contender() == *contender);
+            Cell::maybe(expected(&own.collect::<Vec<_>>(), 0.1), 0)
+        };
+        let name = Cell::Text(format!("f{function} {}", TITLES[function - 1]));
+        table.rows.push([name].into_iter().chain(contenders.iter().map(time)).collect());
+    }
+    table
+}
+
+/// Writes the report and its picture.
+pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let picture = folder.join("targets.svg");
+    draw(&picture, rows).map_err(|problem| Failure::File(picture.clone(), io::Error::other(problem.to_string())))?;
+    let mut text = String::from("# bbob\n\n");
+    let budget = sorted(rows.iter().map(|row| (row.budget / row.dimension as u64) as usize));
+    let budget: Vec<String> = budget.iter().map(ToString::to_string).collect();
+    // Writing to a text cannot fail.
+    let _ = writeln!(
+        text,
+        "{} runs, at most {} evaluations for each variable; a run is over when it is {:e} above the optimum. Targets: {} from 100 to {:e} \
+         above the optimum, for each function and instance. Planners run once, without restarts, and stop at the same number of \
+         evaluations.\n",
+        rows.len(),
+        budget.join(" or "),
+        targets::FINAL,
+        targets::ALL,
+        targets::FINAL,
+    );
+    let tables = [shares(rows)].into_iter().chain(sorted(rows.iter().map(|row| row.dimension)).into_iter().map(|d| running_times(rows, d)));
+    for (k, table) in tables.enumerate() {
+        text.push_str(&table.markdown());
+        text.push('\n');
+        if k == 0 {
+            text.push_str("![Share of targets reached over evaluations for each variable](targets.svg)\n\n");
+        }
+    }
+    let report = folder.join("report.md");
+    fs::write(&report, text).map_err(at(&report))?;
+    Ok(vec![report, picture])
+}
+
+/// The share of targets that were reached, over evaluations for each variable.
+fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    let most = rows.iter().map(|row| row.budget as f64 / row.dimension as f64).fold(10.0, f64::max);
+    let mut chart = ChartBuilder::on(&root)
+        .margin(14)
+        .x_label_area_size(42)
+        .y_label_area_size(52)
+        .build_cartesian_2d((0.1..most).log_scale(), 0.0..1.0_f64)?;
+    let label = |number: &f64| format!("{number}");
+    chart.configure_mesh().x_desc("evaluations / D").y_desc("share of targets").x_label_formatter(&label).draw()?;
+    for (contender, colour) in contenders(rows).into_iter().zip(COLOURS.into_iter().cycle()) {
+        let (reached, all) = times(rows.iter().filter(|row| row.contender() == contender));
+        let mut points = vec![(0.1, 0.0)];
+        for (k, at) in reached.iter().enumerate() {
+            let share = |k: usize| k as f64 / all.max(1) as f64;
+            // Equal times are one step.
+            if reached.get(k + 1) != Some(at) {
+                let before = points.last().map_or(0.0, |point| point.1);
+                points.extend([(*at, before), (*at, share(k + 1))]);
+            }
+        }
+        points.push((most, points.last().map_or(0.0, |point| point.1)));
+        chart
+            .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
+            .label(contender)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 24, y)], colour.stroke_width(2)));
+    }
+    chart.configure_series_labels().position(SeriesLabelPosition::UpperLeft).background_style(WHITE.mix(0.85)).draw()?;
+    root.present()?;
+    Ok(())
+}
