@@ -442,3 +442,20 @@ test('a planner that was taken out is put back where it was', async ({ lab, page
   expect(await names()).toEqual(before)
   await expect(page.getByTestId('entrant-restore')).toHaveCount(0)
 })
+
+test('instances of a function have other optima: runs are compared by how far above them they come', async ({ page, lab }) => {
+  await openBatch(lab)
+  await page.getByTestId('ready-bbob').click()
+  // It begins by itself.
+  await finished(page, 60)
+  const setup = (seed: number) => ({ planner: 'qpso', scene: generateScene('bbob', { function: 'bbob-15', dimension: 10 }, seed), seed })
+  const records = Array.from({ length: 15 }, (_, at) => at + 1).map((seed) => {
+    const iterations = iterationsOf(setup(seed), 10_000)
+    return trialOf({ ...setup(seed), params: { iterations } }).record
+  })
+  expect(new Set(records.map(({ exact }) => exact)).size).toBeGreaterThan(10)
+  const above = records.map(({ cost, exact }) => (cost ?? NaN) - (exact ?? NaN)).sort((a, b) => a - b)
+  const row = page.getByTestId('batch-summary').locator('tbody tr').nth(2)
+  await expect(row).toContainText('QPSO')
+  await expect(row).toContainText((above[7] ?? NaN).toString().slice(0, 4))
+})
