@@ -2,14 +2,17 @@
 //! with more points.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::{env, fs};
+use std::{collections::BTreeMap, env, fs};
 
 use forage::{
+    Overrides, Run, Setup,
     scene::{FunctionScene, function::BBOB_FUNCTIONS},
     standard,
 };
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bbob.bin");
+/// Hashes of runs on each function, which `tests/wasm.test.mjs` compares with those in wasm. `FORAGE_BLESS=1` stores them again.
+const RUNS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bbob.json");
 const DIMENSIONS: [usize; 6] = [2, 3, 5, 10, 20, 40];
 const INSTANCES: usize = 15;
 /// The columns of a rotation nearly depend on each other in these (function, dimension, instance): the last bit of a logarithm or cosine
@@ -101,4 +104,22 @@ fn scenes_are_read_written_and_refused() {
         let error = read(fields).unwrap_err().to_string();
         assert!(error.contains(said), "{error} has not {said}");
     }
+}
+
+#[test]
+fn runs_have_the_stored_bits() {
+    let hash = |function: usize| {
+        let scene = FunctionScene::bbob(function, 2, 3).unwrap();
+        let scene = forage::scene::function::KIND.scene(forage::scene::Header::named("a", "A"), scene).unwrap();
+        let setup = Setup { planner: "pso".into(), scene: scene.into(), params: Overrides::new(), seed: 7 };
+        let mut run = Run::new(standard(), setup).unwrap();
+        run.step(20);
+        (format!("bbob-{function}"), run.hash())
+    };
+    let made: BTreeMap<_, _> = (1..=BBOB_FUNCTIONS).map(hash).collect();
+    if env::var_os("FORAGE_BLESS").is_some() {
+        fs::write(RUNS, serde_json::to_string_pretty(&made).unwrap() + "\n").unwrap();
+    }
+    let stored: BTreeMap<String, String> = serde_json::from_str(&fs::read_to_string(RUNS).unwrap()).unwrap();
+    assert_eq!(made, stored);
 }

@@ -113,6 +113,22 @@ test('formulas give the bits and the refusals that the native tests store', () =
   }
 })
 
+test('functions of the suite bbob give the bits that the native tests store', () => {
+  const runs = Object.entries(stored('bbob.json'))
+  assert.equal(runs.length, 24)
+  for (const [name, hash] of runs) {
+    const scene = { format: 'forage-scene', version: 1, kind: 'function', name: 'a', title: 'A', function: name, instance: 2, dimension: 3 }
+    const session = new Session({ planner: 'pso', scene, seed: 7 })
+    session.step(20)
+    assert.equal(session.hash(), hash, name)
+    const again = new Session(parseLink(session.link()))
+    again.seek(20)
+    assert.equal(again.hash(), hash, name)
+    session.free()
+    again.free()
+  }
+})
+
 test('a function from code is run, recorded and compared like one by formula, and has no link', () => {
   const bounds = { min: -5, max: [5, 6] }
   const bowl = ([x, y]) => (x - 1) ** 2 + (y + 2) ** 2 + 3
