@@ -9,7 +9,7 @@ use std::{
 use forage::{
     Error, Overrides,
     kernel::Message,
-    scene::function::{BBOB_DIMENSIONS, BBOB_FUNCTIONS, BBOB_INSTANCES},
+    scene::function::{BBOB_FUNCTIONS, BBOB_INSTANCES},
 };
 use forage_study::{
     bench::{
@@ -39,13 +39,12 @@ pub(super) fn bench(args: &BenchArgs) -> Outcome {
     let plan = Plan {
         contenders: contenders(args)?,
         functions: numbers("--functions", args.functions.as_deref(), 1, BBOB_FUNCTIONS, (1..=BBOB_FUNCTIONS).collect())?,
-        dimensions: numbers("--dimensions", args.dimensions.as_deref(), BBOB_DIMENSIONS.0, BBOB_DIMENSIONS.1, bbob::DIMENSIONS.to_vec())?,
+        dimensions: dimensions(args.dimensions.as_deref())?,
         instances: numbers("--instances", args.instances.as_deref(), 1, BBOB_INSTANCES, (1..=bbob::INSTANCES).collect())?,
         budget: args.budget,
     };
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
-    // One function says it for all.
-    Plan { functions: vec![1], instances: vec![1], ..plan.clone() }.check(registry())?;
+    plan.check(registry())?;
     let folder = args.out.clone().unwrap_or_else(|| PathBuf::from("bbob"));
     files::check_folder("--out", &folder)?;
     fs::create_dir_all(&folder).map_err(|error| Failure::write(&folder, error))?;
@@ -67,8 +66,13 @@ fn carry_out(jobs: &[bbob::Task], part: Part, folder: &Path, args: &BenchArgs) -
     let own: Vec<bbob::Task> = part.jobs(jobs.len()).map(|job| jobs[job].clone()).collect();
     let name = if part.of > 1 { format!("{ROWS}.{}-of-{}.csv", part.index, part.of) } else { format!("{ROWS}.csv") };
     let file = folder.join(name);
-    if part.of == 1 && !args.fresh {
-        bbob::gather(&file, &parts(folder)?)?;
+    if part.of == 1 {
+        let parts = parts(folder)?;
+        if args.fresh {
+            parts.iter().try_for_each(|part| fs::remove_file(part).map_err(|error| Failure::write(part, error)))?;
+        } else {
+            bbob::gather(&file, &parts, jobs, &interrupt::flag())?;
+        }
     }
     let stop = interrupt::flag();
     let bar = progress::bar("bbob");
@@ -96,32 +100,50 @@ fn parts(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 fn contenders(args: &BenchArgs) -> Result<Vec<Contender>, Failure> {
     let everyone = Plan::everyone(registry());
     let known: Vec<&str> = everyone.iter().map(|contender| contender.planner.as_str()).collect();
-    let mut chosen = Vec::new();
+    let mut chosen: Vec<Contender> = Vec::new();
     for name in &args.planners {
         let found = everyone.iter().find(|contender| contender.planner == *name);
-        chosen.push(found.cloned().ok_or_else(|| Error::unknown("--planners", name, known.iter().copied()))?);
+        let found = found.ok_or_else(|| Error::unknown("--planners", name, known.iter().copied()))?;
+        if chosen.iter().any(|contender| contender.planner == *name) {
+            return Err(Error::refused("--planners", name.as_str(), Message::verbatim("named once")).into());
+        }
+        chosen.push(found.clone());
     }
     if chosen.is_empty() {
         chosen.clone_from(&everyone);
     }
-    for pair in &args.set {
-        let (left, _) = pair.split_once('=').unwrap_or((pair, ""));
-        let (planner, pair) = match left.split_once('.') {
-            Some((planner, _)) => (Some(planner), &pair[planner.len() + 1..]),
-            None => (None, pair.as_str()),
+    // What is set of all comes first: what is set of one planner counts more.
+    let is_own = |pair: &&String| pair.split('=').next().is_some_and(|left| left.contains('.'));
+    let (own, common): (Vec<_>, Vec<_>) = args.set.iter().partition(is_own);
+    for pair in common.into_iter().chain(own) {
+        let Some((left, value)) = pair.split_once('=') else {
+            return Err(Error::refused("--set", pair.as_str(), Message::verbatim("[PLANNER.]NAME=VALUE")).into());
         };
+        let (planner, name) = left.split_once('.').map_or((None, left), |(planner, name)| (Some(planner), name));
         let mut params = Overrides::default();
-        read_pairs("--set", &[pair.to_owned()], &mut params)?;
-        let meant: Vec<_> = chosen.iter_mut().filter(|contender| planner.is_none_or(|planner| contender.planner == planner)).collect();
-        if meant.is_empty() {
-            let names: Vec<&str> = known.clone();
-            return Err(Error::unknown("--set", planner.unwrap_or_default(), names).into());
-        }
-        for contender in meant {
+        read_pairs("--set", &[format!("{name}={value}")], &mut params)?;
+        let mut meant = 0;
+        for contender in chosen.iter_mut().filter(|contender| planner.is_none_or(|planner| contender.planner == planner)) {
             params.iter().for_each(|(name, value)| contender.params.insert(name, value.clone()));
+            meant += 1;
+        }
+        if meant == 0 {
+            let names: Vec<&str> = chosen.iter().map(|contender| contender.planner.as_str()).collect();
+            let allowed = format!("of a planner that takes part: {}", names.join(", "));
+            return Err(Error::refused("--set", pair.as_str(), Message::verbatim(allowed)).into());
         }
     }
     Ok(chosen)
+}
+
+/// The numbers of variables: those of the suite, which its tools know.
+fn dimensions(given: Option<&str>) -> Result<Vec<usize>, Failure> {
+    let [least, .., most] = bbob::DIMENSIONS;
+    let chosen = numbers("--dimensions", given, least, most, bbob::DIMENSIONS.to_vec())?;
+    match chosen.iter().find(|dimension| !bbob::DIMENSIONS.contains(dimension)) {
+        Some(wrong) => Err(Error::refused("--dimensions", *wrong, Message::verbatim("of 2, 3, 5, 10, 20 and 40")).into()),
+        None => Ok(chosen),
+    }
 }
 
 /// A list of numbers and ranges: `1-5,8`.

@@ -6,7 +6,7 @@
 //! [`regression`], [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
 //! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`](registry::REPRODUCTIONS); nothing else lists them. What
 //! papers say in words is in [`claims`]. Studies of our own are made
-//! the same way and listed in [`STUDIES`](registry::STUDIES). Sweeps are in [`sweep`], the suites of the field in [`bench`].
+//! the same way and listed in [`STUDIES`](registry::STUDIES). Sweeps are in [`sweep`], the suites of the field in [`bench`](mod@bench).
 //!
 //! Files import one way. On top lies [`registry`], the list of all studies.
 #![cfg(not(target_arch = "wasm32"))]

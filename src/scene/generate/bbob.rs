@@ -85,7 +85,7 @@ const DIMENSION: Param<u64> = Param::integer(
 pub const BBOB: Generator = Generator {
     name: "bbob",
     title: "Function of the suite bbob",
-    help: words("One of the 24 noiseless functions by which optimisers are compared. The seed is the instance."),
+    help: words("One of the 24 noiseless functions by which optimisers are compared. The seed, from 1 to 200,000, is the instance."),
     kind: scene::FUNCTION,
     parameters: &[&[FUNCTION.entry(), DIMENSION.entry()]],
     draw,

@@ -31,8 +31,28 @@ fn runs_are_kept_in_parts_or_whole_and_the_files_are_the_same() {
     let more = ["bench", "bbob", "--planners", "pso", "--functions", "5", "--dimensions", "2", "--instances", "1", "--budget", "200"];
     let output = forage(&[&more[..], &["--out", whole.to_str().unwrap()]].concat());
     assert!(text(&output.stdout).contains("of 1"), "{}", text(&output.stderr));
+    assert!(!whole.join("coco/qpso").exists() && whole.join("coco/pso/bbobexp_f5.info").exists());
     let after = fs::read_to_string(whole.join("rows.csv")).unwrap();
     assert!(after.lines().count() == before.lines().count() + 1 && before.lines().all(|line| after.contains(line)));
+}
+
+#[test]
+fn rows_of_another_version_and_folders_of_others_are_refused() {
+    let folder = empty_folder("bench-version");
+    carry_out(&folder, &["--shard", "1/2"]);
+    carry_out(&folder, &["--shard", "2/2"]);
+    // Of the second planner only, in one of the parts.
+    let part = folder.join("rows.2-of-2.csv");
+    let kept = fs::read_to_string(&part).unwrap();
+    let altered = kept.lines().map(|line| if line.starts_with("qpso") { format!("{line} 9999:0.0\n") } else { format!("{line}\n") });
+    fs::write(&part, altered.collect::<String>()).unwrap();
+    let output = carry_out(&folder, &[]);
+    assert!(output.status.code() == Some(2) && text(&output.stderr).contains("another version"), "{}", text(&output.stderr));
+    assert_eq!(carry_out(&folder, &["--fresh"]).status.code(), Some(0));
+    assert!(!part.exists());
+    fs::remove_file(folder.join("coco/written-by-forage.txt")).unwrap();
+    let output = carry_out(&folder, &[]);
+    assert!(output.status.code() == Some(2) && text(&output.stderr).contains("choose another --out"), "{}", text(&output.stderr));
 }
 
 #[test]
@@ -63,10 +83,15 @@ fn what_is_wrong_is_refused_before_anything_runs() {
         (&["--planners", "nobody"][..], "--planners"),
         (&["--planners", "pso,a-star"], "--planners"),
         (&["--set", "nobody.w=1"], "--set"),
-        (&["--set", "w"], "name=value"),
+        (&["--planners", "pso,pso"], "named once"),
+        (&["--set", "w"], "[PLANNER.]NAME=VALUE"),
+        (&["--planners", "qpso", "--set", "pso.w=0.7"], "takes part: qpso"),
+        (&["--set", "0.7"], "is 0.7; it must be [PLANNER.]NAME=VALUE"),
+        (&["--instances", "1-200000", "--planners", "pso,qpso"], "at most 1000000"),
+        (&["--dimensions", "4"], "2, 3, 5, 10, 20 and 40"),
         (&["--functions", "25"], "from 1 to 24"),
         (&["--functions", "5-2"], "--functions"),
-        (&["--dimensions", "1"], "from 2 to 40"),
+        (&["--dimensions", "1"], "--dimensions"),
         (&["--instances", "0"], "--instances"),
         (&["--shard", "3/2"], "--shard"),
         (&["--set", "pso.w=nine"], "w"),

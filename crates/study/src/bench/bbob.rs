@@ -1,7 +1,8 @@
 //! The suite `bbob`: 24 functions, each in several instances and dimensions, and how near planners come within a budget.
 
 use std::{
-    collections::BTreeSet,
+    collections::{BTreeMap, BTreeSet},
+    fs,
     path::{Path, PathBuf},
     sync::{
         Arc,
@@ -11,7 +12,7 @@ use std::{
 
 use super::{
     super::{
-        failure::Failure,
+        failure::{Failure, at},
         rows::{Row as Kept, Rows},
         runner::Job,
     },
@@ -23,6 +24,7 @@ use super::{
 };
 use forage::{
     Error, Registry, Run, Setup, Status, Value,
+    kernel::Message,
     scene::{FUNCTION, FunctionScene, Header},
 };
 
@@ -34,6 +36,9 @@ pub const DIMENSIONS: [usize; 6] = [2, 3, 5, 10, 20, 40];
 pub const INSTANCES: usize = 15;
 /// Evaluations for each variable, unless it is said otherwise.
 pub const BUDGET: u64 = 1_000;
+/// So many runs at most: each is known before the first begins.
+pub const MOST: usize = 1_000_000;
+
 /// What is run.
 #[derive(Debug, Clone)]
 pub struct Plan {
@@ -75,10 +80,18 @@ impl Plan {
     /// Checks what can be refused without running it.
     ///
     /// # Errors
-    /// A parameter that a planner does not have, or a value that it does not allow.
+    /// Too many runs; a parameter that a planner does not have, or a value that it does not allow.
     pub fn check(&self, registry: &Arc<Registry>) -> Result<(), Error> {
-        for job in self.jobs(registry) {
-            job.setup(FunctionScene::bbob(job.function, job.instance, job.dimension)?)?.check(registry)?;
+        let runs = [self.functions.len(), self.dimensions.len(), self.instances.len()]
+            .into_iter()
+            .fold(self.contenders.len(), usize::saturating_mul);
+        if runs > MOST {
+            return Err(Error::refused("runs", runs, Message::verbatim(format!("at most {MOST}"))));
+        }
+        // One function says it for all.
+        for job in (Self { functions: vec![1], instances: vec![1], ..self.clone() }).jobs(registry) {
+            let setup = job.setup(FunctionScene::bbob(job.function, job.instance, job.dimension)?)?;
+            setup.check(registry).map_err(|error| error.within(&job.contender.planner))?;
         }
         Ok(())
     }
@@ -106,6 +119,12 @@ impl Plan {
 }
 
 impl Task {
+    /// The planner, with what is set of it.
+    fn name(&self) -> String {
+        let of = set(&self.contender);
+        if of.is_empty() { self.contender.planner.clone() } else { format!("{} {of}", self.contender.planner) }
+    }
+
     fn setup(&self, scene: FunctionScene) -> Result<Setup, Error> {
         let name = format!("bbob-{}-{}-{}", self.function, self.dimension, self.instance);
         let scene = forage::scene::function::KIND.scene(Header::named(&name, &name), scene)?;
@@ -160,9 +179,7 @@ impl Job for Task {
     type Row = Row;
 
     fn key(&self) -> String {
-        let of = set(&self.contender);
-        let contender = if of.is_empty() { self.contender.planner.clone() } else { format!("{} {of}", self.contender.planner) };
-        key(&contender, self.function, self.dimension, self.instance, self.budget)
+        key(&self.name(), self.function, self.dimension, self.instance, self.budget)
     }
 
     fn weight(&self) -> u64 {
@@ -174,15 +191,20 @@ impl Job for Task {
     }
 }
 
-/// Takes the rows of parts that are in the same folder into a file of rows: those that it has not.
+/// Takes the rows of parts that are in the same folder into a file of rows: those that it has not. Of each file and planner the lightest
+/// run of `tasks` is carried out again: rows of another version of the program are refused.
 ///
 /// # Errors
-/// As [`Rows::open`].
-pub fn gather(file: &Path, parts: &[PathBuf]) -> Result<(), Failure> {
+/// As [`Rows::open`]; a row that is not what the run gives now.
+pub fn gather(file: &Path, parts: &[PathBuf], tasks: &[Task], stop: &AtomicBool) -> Result<(), Failure> {
     let mut rows = Rows::<Row>::open(file, false)?;
-    let mut known: BTreeSet<String> = rows.take().iter().map(Kept::key).collect();
+    let kept = rows.take();
+    check(file, &kept, tasks, stop)?;
+    let mut known: BTreeSet<String> = kept.iter().map(Kept::key).collect();
     for part in parts {
-        for row in Rows::<Row>::open(part, false)?.take() {
+        let others = Rows::<Row>::open(part, false)?.take();
+        check(part, &others, tasks, stop)?;
+        for row in others {
             if known.insert(row.key()) {
                 rows.append(&row)?;
             }
@@ -191,13 +213,50 @@ pub fn gather(file: &Path, parts: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
+fn check(file: &Path, kept: &[Row], tasks: &[Task], stop: &AtomicBool) -> Result<(), Failure> {
+    let known: BTreeMap<String, &Row> = kept.iter().map(|row| (row.key(), row)).collect();
+    let mut lightest: BTreeMap<String, &Task> = BTreeMap::new();
+    for task in tasks.iter().filter(|task| known.contains_key(&task.key())) {
+        let known = lightest.entry(task.name()).or_insert(task);
+        if task.weight() < known.weight() {
+            *known = task;
+        }
+    }
+    for task in lightest.into_values() {
+        if task.carry_out(stop)?.is_some_and(|again| known.get(&task.key()) != Some(&&again)) {
+            let problem = format!("the row `{}` comes from another version of forage; --fresh starts over", task.key());
+            return Err(Error::malformed(&file.display().to_string(), Message::verbatim(problem)).into());
+        }
+    }
+    Ok(())
+}
+
+/// By this file a folder is known as one that was written here.
+const MARK: &str = "written-by-forage.txt";
+
+/// Makes a folder without what was written there before: tools would read both together.
+fn empty(folder: &Path) -> Result<(), Failure> {
+    if folder.join(MARK).exists() {
+        fs::remove_dir_all(folder).map_err(at(folder))?;
+    } else if folder.exists() {
+        let problem = "it was not written by forage bench; choose another --out".to_owned();
+        return Err(Error::malformed(&folder.display().to_string(), Message::verbatim(problem)).into());
+    }
+    fs::create_dir_all(folder).map_err(at(folder))?;
+    let mark = folder.join(MARK);
+    fs::write(&mark, "forage bench writes this folder, and removes it before it writes it again.\n").map_err(at(&mark))
+}
+
 /// Writes what COCO's and IOHprofiler's tools read, and a report with a picture, into a folder; returns the files to look at.
 ///
 /// # Errors
 /// Files that cannot be written.
 pub fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    coco::write(rows, &folder.join("coco"))?;
-    iohprofiler::write(rows, &folder.join("iohprofiler"))?;
+    let [coco, iohprofiler] = ["coco", "iohprofiler"].map(|name| folder.join(name));
+    empty(&coco)?;
+    coco::write(rows, &coco)?;
+    empty(&iohprofiler)?;
+    iohprofiler::write(rows, &iohprofiler)?;
     report::write(rows, folder)
 }
 

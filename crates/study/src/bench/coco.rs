@@ -1,8 +1,8 @@
-//! Files as COCO’s observer `bbob` writes them, in the format `bbob-new2`: `cocopp FOLDER` makes a report of them.
+//! Files in the format `bbob-new2` of COCO’s observer, without positions: `cocopp FOLDER` makes a report of them.
 
 use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
 
-use forage::math;
+use forage::{math, scene::FunctionScene};
 
 use super::{
     super::failure::{Failure, at},
@@ -10,7 +10,6 @@ use super::{
     targets,
 };
 
-const HEAD: &str = "% f evaluations | g evaluations | best noise-free fitness - Fopt | measured fitness | best measured fitness";
 /// In steps of a fifth of a decade a line is written when the best falls below the next one.
 const STEPS: f64 = 5.0;
 
@@ -22,15 +21,24 @@ fn number(value: f64, digits: usize) -> String {
     format!("{mantissa}e{sign}{exponent:0>2}")
 }
 
-/// A line of data: the values are those above the optimum.
-fn line(out: &mut String, evaluations: u64, gap: f64) {
-    let gap = number(gap, 9);
+/// What stands before the data of a run.
+fn head(minimum: f64) -> String {
+    let minimum = number(minimum, 12);
+    let minimum = minimum.trim_start_matches('+');
+    format!(
+        "% f evaluations | g evaluations | best noise-free fitness - Fopt ({minimum}) + sum g_i+ | measured fitness | best measured fitness"
+    )
+}
+
+/// A line of data; where it is not an improvement, the measured value is the best so far.
+fn line(out: &mut String, evaluations: u64, gap: f64, minimum: f64) {
+    let value = number(gap + minimum, 9);
     // Writing to a text cannot fail.
-    let _ = writeln!(out, "{evaluations} 0 {gap} {gap} {gap}");
+    let _ = writeln!(out, "{evaluations} 0 {} {value} {value}", number(gap, 9));
 }
 
 /// Where the best falls below the next fifth of a decade, and the end.
-fn by_values(course: &[(u64, f64)], end: u64, out: &mut String) {
+fn by_values(course: &[(u64, f64)], end: u64, minimum: f64, out: &mut String) {
     let level = |gap: f64| (STEPS * math::log10(gap.max(targets::FINAL))).ceil();
     let mut next = f64::INFINITY;
     let mut written = 0;
@@ -38,16 +46,16 @@ fn by_values(course: &[(u64, f64)], end: u64, out: &mut String) {
         if level(gap) < next {
             next = level(gap);
             written = at;
-            line(out, at, gap);
+            line(out, at, gap, minimum);
         }
     }
     if let Some(&(_, gap)) = course.last().filter(|_| written < end) {
-        line(out, end, gap);
+        line(out, end, gap, minimum);
     }
 }
 
 /// At numbers of evaluations that are spread evenly, by the logarithm.
-fn by_evaluations(course: &[(u64, f64)], dimension: usize, end: u64, out: &mut String) {
+fn by_evaluations(course: &[(u64, f64)], dimension: usize, end: u64, minimum: f64, out: &mut String) {
     let twentieths = (0..=240).map(|k| math::pow(10.0, f64::from(k) / 20.0).floor() as u64);
     let rounds = (0..12).flat_map(|k| [1, 2, 5].map(|factor| factor * dimension as u64 * 10_u64.pow(k)));
     let mut all: Vec<u64> = twentieths.chain(rounds).filter(|at| *at < end).chain([end]).collect();
@@ -56,7 +64,7 @@ fn by_evaluations(course: &[(u64, f64)], dimension: usize, end: u64, out: &mut S
     for at in all {
         let before = course.partition_point(|(found, _)| *found <= at);
         if let Some(&(_, gap)) = before.checked_sub(1).and_then(|last| course.get(last)) {
-            line(out, at, gap);
+            line(out, at, gap, minimum);
         }
     }
 }
@@ -83,17 +91,18 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         let _ = write!(
             info,
             "suite = 'bbob', funcId = {function}, DIM = {dimension}, Precision = 1.000e-08, algId = '{contender}', \
-             coco_version = '2.8.2', logger = 'forage-{version}', data_format = 'bbob-new2'\n% written by forage bench\n{data}/{stem}.dat",
+             logger = 'forage-{version}', data_format = 'bbob-new2'\n% written by forage bench\n{data}/{stem}.dat",
             version = env!("CARGO_PKG_VERSION"),
         );
         for row in rows {
             let course = row.course();
+            let minimum = FunctionScene::bbob(function, row.instance, dimension)?.minimum().map_or(0.0, |minimum| minimum.value);
             for (out, what) in [(&mut values, true), (&mut evaluations, false)] {
-                let _ = writeln!(out, "{HEAD}");
+                let _ = writeln!(out, "{}", head(minimum));
                 if what {
-                    by_values(&course, row.evaluations, out);
+                    by_values(&course, row.evaluations, minimum, out);
                 } else {
-                    by_evaluations(&course, dimension, row.evaluations, out);
+                    by_evaluations(&course, dimension, row.evaluations, minimum, out);
                 }
             }
             let _ = write!(info, ", {}:{}|{}", row.instance, row.evaluations, number(row.gap, 1).trim_start_matches('+'));

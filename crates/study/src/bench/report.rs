@@ -70,15 +70,17 @@ fn expected(rows: &[&Row], level: f64) -> Option<f64> {
 fn shares(rows: &[Row]) -> Table {
     let dimensions = sorted(rows.iter().map(|row| row.dimension));
     let names: Vec<String> = dimensions.iter().map(|dimension| format!("D = {dimension}")).collect();
-    let columns: Vec<&str> = ["planner"].into_iter().chain(names.iter().map(String::as_str)).chain(["all", "solved"]).collect();
+    let columns: Vec<&str> =
+        ["planner"].into_iter().chain(names.iter().map(String::as_str)).chain(["all", "solved", "ended early"]).collect();
     let mut table = Table::new("bbob", "Share of targets reached within the budget, and runs that were solved", &columns);
     for contender in contenders(rows) {
         let own = || rows.iter().filter(|row| row.contender() == contender);
         let share = |(reached, all): (Vec<f64>, usize)| Cell::maybe((all > 0).then(|| reached.len() as f64 / all as f64), 3);
         let by_dimension = dimensions.iter().map(|dimension| share(times(own().filter(|row| row.dimension == *dimension))));
         let solved = own().filter(|row| row.gap <= targets::FINAL).count();
-        let last = Cell::Text(format!("{solved} of {}", own().count()));
-        table.rows.push([Cell::Text(contender.clone())].into_iter().chain(by_dimension).chain([share(times(own())), last]).collect());
+        let early = own().filter(|row| row.gap > targets::FINAL && row.evaluations < row.budget).count();
+        let last = [Cell::Text(format!("{solved} of {}", own().count())), Cell::whole(early as u64)];
+        table.rows.push([Cell::Text(contender.clone())].into_iter().chain(by_dimension).chain([share(times(own()))]).chain(last).collect());
     }
     table
 }
@@ -116,8 +118,8 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     let _ = writeln!(
         text,
         "{} runs, at most {} evaluations for each variable; a run is over when it is {:e} above the optimum. Targets: {} from 100 to {:e} \
-         above the optimum, for each function and instance. Planners run once, without restarts, and stop at the same number of \
-         evaluations.\n",
+         above the optimum, for each function and instance. Planners run once, without restarts, and nothing is \
+         counted beyond the budget. Runs that ended early came to an end of their own before the budget, unsolved.\n",
         rows.len(),
         budget.join(" or "),
         targets::FINAL,

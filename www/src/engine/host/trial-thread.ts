@@ -62,13 +62,19 @@ async function stepToEnd(trial: Trial, budget: number | null, apart: boolean): P
   }
 }
 
+/** So near to an optimum counts as reached, where that is 0. */
+const NEAR = 0.01
+
 /** What runs are compared by. Functions of several seeds have other optima: then it is how far above its own each came. */
 function compared(trial: Trial, maps: Maps | null): { record: TrialRecord; evaluations: Float64Array; values: Float64Array } {
   const { evaluations, values } = trial.curve()
   const record = trial.record()
   const { exact, value, length } = record
   if (!maps || length !== null || exact === null || value === null) return { record, evaluations, values }
-  return { record: { ...record, value: value - exact, exact: 0 }, evaluations, values: values.map((one) => one - exact) }
+  const above = values.map((one) => one - exact)
+  const near = above.findIndex((one) => one <= NEAR)
+  const reached = near < 0 ? null : (evaluations[near] ?? null)
+  return { record: { ...record, value: value - exact, exact: 0, reached, reached_iteration: null }, evaluations, values: above }
 }
 
 async function answered<T>(ask: () => T): Promise<Answer<T>> {
