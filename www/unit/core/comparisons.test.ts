@@ -35,6 +35,7 @@ test('every ready-made comparison uses planners, parameters and a scene that shi
   expect(presets.map(({ name }) => name)).toEqual([
     'swarms',
     'inertia',
+    'bbob',
     'quantum',
     'ants',
     'maps',
