@@ -29,12 +29,12 @@ pub(super) enum Core {
     /// The sum of squares with weights: sphere, ellipsoid, discus, bent cigar.
     Squares(Vec<f64>),
     Rastrigin,
-    /// Down to a corner of the box: this one.
-    Slope(Vec<f64>),
+    /// Down to a corner of the box, with how steep it is in each coordinate.
+    Slope(Vec<f64>, Vec<f64>),
     /// The side of the optimum costs 10⁴ times as much.
     Sector(Vec<f64>),
-    /// Plateaus, then a rotation.
-    Steps(Matrix),
+    /// Plateaus, then a rotation, and the sum of squares with weights.
+    Steps(Matrix, Vec<f64>),
     Rosenbrock,
     Ridge,
     Powers,
@@ -42,7 +42,8 @@ pub(super) enum Core {
     Weierstrass(f64),
     Schaffers,
     GriewankRosenbrock,
-    Schwefel,
+    /// With the factors of Λ^10.
+    Schwefel(Vec<f64>),
     Gallagher(Peaks),
     Katsuura,
     /// With R Λ^100 Q.
@@ -115,19 +116,19 @@ impl Core {
         match self {
             Self::Squares(weights) => total(z, &|i, z| weights[i] * z * z),
             Self::Rastrigin => 10.0 * (n - cosines(z)) + squares(z),
-            Self::Slope(corner) => total(z, &|i, x| {
-                let slope = math::pow(10.0, share(i, count)) * corner[i].signum();
+            Self::Slope(corner, steepness) => total(z, &|i, x| {
+                let slope = steepness[i] * corner[i].signum();
                 5.0 * slope.abs() - slope * if x * corner[i] < 25.0 { x } else { corner[i] }
             }),
             Self::Sector(optimum) => {
                 let sum = total(z, &|i, z| square(if z * optimum[i] > 0.0 { 100.0 * z } else { z }));
                 math::pow(oscillated(sum), 0.9)
             }
-            Self::Steps(rotation) => {
+            Self::Steps(rotation, weights) => {
                 let first = z[0].abs();
                 z.iter_mut().for_each(|z| *z = if z.abs() > 0.5 { rounded(*z) } else { rounded(10.0 * *z) / 10.0 });
                 rotation.apply(z, room);
-                0.1 * f64::max(1e-4 * first, total(room, &|i, z| math::pow(100.0, share(i, count)) * z * z))
+                0.1 * f64::max(1e-4 * first, total(room, &|i, z| weights[i] * z * z))
             }
             Self::Rosenbrock => total_of_pairs(z, &|a, b| 100.0 * square(a * a - b) + square(a - 1.0)),
             Self::Ridge => square(z[0]) + 100.0 * squares(&z[1..]).sqrt(),
@@ -150,11 +151,11 @@ impl Core {
                 });
                 10.0 + 10.0 * sum / (n - 1.0)
             }
-            Self::Schwefel => {
+            Self::Schwefel(factors) => {
                 for (i, room) in room.iter_mut().enumerate() {
                     let before = if i == 0 { SCHWEFEL } else { z[i - 1] };
                     let leaning = z[i] + 0.25 * (before - SCHWEFEL);
-                    *room = 100.0 * (math::pow(10.0, 0.5 * share(i, count)) * (leaning - SCHWEFEL) + SCHWEFEL);
+                    *room = 100.0 * (factors[i] * (leaning - SCHWEFEL) + SCHWEFEL);
                 }
                 let penalty = total(room, &|_, z| square(f64::max(z.abs() - SCHWEFEL_SIDE, 0.0)));
                 let sum = total(room, &|_, z| z * math::sin(z.abs().sqrt()));

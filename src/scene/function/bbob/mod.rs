@@ -214,9 +214,9 @@ impl Bbob {
             1 => Core::Squares(first),
             2 | 10 => Core::Squares(growing(1e6, n)),
             3 | 4 | 15 => Core::Rastrigin,
-            5 => Core::Slope(minimiser.clone()),
+            5 => Core::Slope(minimiser.clone(), growing(10.0, n)),
             6 => Core::Sector(minimiser.clone()),
-            7 => Core::Steps(draws.r()),
+            7 => Core::Steps(draws.r(), growing(100.0, n)),
             8 | 9 => Core::Rosenbrock,
             11 => {
                 first[0] = 1e6;
@@ -231,7 +231,7 @@ impl Bbob {
             16 => Core::weierstrass(),
             17 | 18 => Core::Schaffers,
             19 => Core::GriewankRosenbrock,
-            20 => Core::Schwefel,
+            20 => Core::Schwefel(growing(10_f64.sqrt(), n)),
             21 | 22 => {
                 let (peaks, highest) = Peaks::new(if function == 21 { 101 } else { 21 }, draws.seed, n);
                 minimiser = highest;

@@ -11,7 +11,7 @@ export const compare = {
     here: (title: string) => `${title} (edited)`,
     maps: 'A random scene for each seed',
     mapsHelp:
-      'Seed 7 has the generator’s scene 7: what a planner is worth beyond one scene. Lengths are compared by their gaps to the exact optimum.',
+      'Seed 7 has the generator’s scene 7: what a planner is worth beyond one scene. Runs are compared by how far above the exact optimum of their scene they come.',
     mapSettings: 'Parameters of the scenes',
     mapsOf: (title: string) => `${title}: one for each seed`,
     ownScenes: 'Made here',
