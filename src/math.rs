@@ -65,9 +65,10 @@ impl Ord for Length {
     }
 }
 
-/// Sorts numbers with an index: by number, equal ones by index. One instance of the sort for all uses.
+/// Sorts numbers with an index: by number, equal ones by index.
+#[inline(never)]
 pub fn sort(pairs: &mut [(f64, usize)]) {
-    pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort_by(pairs, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).is_gt());
 }
 
 /// The numbers in order, each with its index among those given; equal ones by index.

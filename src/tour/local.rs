@@ -6,10 +6,7 @@
 use std::{cell::Cell, collections::VecDeque, sync::Arc};
 
 use super::problem::{Problem, Stop, Tour};
-use crate::{
-    kernel::{State, rng::Stream},
-    math,
-};
+use crate::kernel::{State, rng::Stream};
 
 /// How many neighbours of a stop are tried.
 const NEIGHBOURS: usize = 10;
@@ -22,10 +19,16 @@ const NONE: u16 = u16::MAX;
 pub fn neighbours(problem: &Problem) -> Arc<[Vec<Stop>]> {
     let n = problem.n;
     let nearest = |stop: Stop| {
-        let mut others: Vec<_> =
-            (0..n).filter(|&other| other != usize::from(stop)).map(|other| (problem.d(stop, other as Stop), other)).collect();
-        math::sort(&mut others);
-        others.iter().take(NEIGHBOURS).map(|&(_, other)| other as Stop).collect()
+        // So few that each finds its place among them at once; of equally near ones the first stays in front.
+        let mut found: Vec<(f64, Stop)> = Vec::with_capacity(NEIGHBOURS + 1);
+        for other in (0..n as Stop).filter(|other| *other != stop) {
+            let d = problem.d(stop, other);
+            if found.len() < NEIGHBOURS || found.last().is_some_and(|last| d < last.0) {
+                found.insert(found.partition_point(|known| known.0 <= d), (d, other));
+                found.truncate(NEIGHBOURS);
+            }
+        }
+        found.into_iter().map(|(_, other)| other).collect()
     };
     (0..n as Stop).map(nearest).collect()
 }
