@@ -51,6 +51,8 @@ pub struct Entry {
     pub presets: &'static [Preset],
     /// Runs that show what it does. Not in a build without English, whose host has the catalogue.
     pub cases: &'static [Case],
+    /// Whether it finds, with these parameters and enough iterations, the exact optimum by the rule that it keeps to.
+    pub exact: fn(&Parameters) -> bool,
     /// The sizes that its paper recommends for these parameters; `None` if it recommends none.
     pub suggest: fn(&Parameters) -> Option<Suggestion>,
     /// Starts a run, and refuses all invalid input.
@@ -96,6 +98,7 @@ impl Entry {
             events: &[],
             presets: &[],
             cases: &[],
+            exact: |_| false,
             suggest: |_| None,
             start,
         }
@@ -182,6 +185,12 @@ impl Entry {
         Self { cases: if ENGLISH { cases } else { &[] }, ..self }
     }
 
+    /// Declares with which parameters it finds the exact optimum. The conformance suite holds it to that.
+    #[must_use]
+    pub const fn exact(self, exact: fn(&Parameters) -> bool) -> Self {
+        Self { exact, ..self }
+    }
+
     /// Sets the function that gives the sizes that its paper recommends.
     #[must_use]
     pub const fn suggest(self, suggest: fn(&Parameters) -> Option<Suggestion>) -> Self {
@@ -200,6 +209,7 @@ impl Entry {
             start: self.start,
             presets: &[],
             cases: &[],
+            exact: |_| false,
             suggest: |_| None,
             ..*other
         }

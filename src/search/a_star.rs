@@ -46,4 +46,5 @@ pub const ENTRY: Entry = Entry::new(
 .formulas(&[BOUND, FORMULA_STEP, FORMULA_OCTILE])
 .layers(LAYERS)
 .cases(CASES)
-.pseudocode(PSEUDOCODE);
+.pseudocode(PSEUDOCODE)
+.exact(|parameters| parameters[WEIGHT] == 1.0 && !parameters[SMOOTH]);

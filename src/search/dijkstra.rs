@@ -46,4 +46,5 @@ pub const ENTRY: Entry = Entry::new(
 .formulas(&[BOUND, FORMULA_STEP])
 .layers(LAYERS)
 .cases(CASES)
-.pseudocode(PSEUDOCODE);
+.pseudocode(PSEUDOCODE)
+.exact(|parameters| !parameters[SMOOTH]);

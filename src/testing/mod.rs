@@ -71,6 +71,7 @@ pub const CHECKS: &[Check] = &[
     Check { name: "layers_are_those_of_the_entry", run: shown::layers },
     Check { name: "members_and_events_are_those_of_the_entry", run: shown::members_and_events },
     Check { name: "what_can_be_picked_is_explained", run: explain::explained },
+    Check { name: "what_is_said_to_be_exact_is_optimal", run: results::exact },
 ];
 
 /// Checks of one planner. [`assert_conforms`] is the short form.

@@ -25,6 +25,7 @@ const TOUR: &str = "Let a tour's order have each stop once, with the ends that i
 const INSIDE: &str = "Report a position with one coordinate for each variable, within the function's box.";
 const FEASIBLE: &str = "End with `Status::Solved` only if the best solution is feasible (`scene.judge`), and with `Status::Infeasible` only if it is not; with `Status::Failed` give the reason.";
 const EXACT: &str = "Declare the optimum that results are measured against by `Started::measured_by`: none can be shorter.";
+const OPTIMAL: &str = "Declare by `Entry::exact` only those parameters with which a run that ends by itself has the exact optimum.";
 const LIMIT: &str = "Use the value of `iterations` as the limit in `Started::new`, and never return `Progress::Done(Status::Running)`.";
 const OPEN: &str = "Declare by `Started::open_ended` that a run may end before its limit.";
 const FAILURE: &str = "Give the reason for having no result as a sentence without a full stop.";
@@ -165,5 +166,30 @@ pub fn ends(subject: &Subject, findings: &mut Findings) {
         ensure(at <= limit && status != Status::Running, LIMIT, || format!("after {at} steps it is {status:?}, with a limit of {limit}"))
             .and_then(|()| ensure(known.is_none_or(|end| end == at), OPEN, || format!("it ends at iteration {at} of {limit}")))
             .map_err(|fault| fault.at(at))
+    });
+}
+
+/// Where the entry says that the optimum is found, a run that ends by itself has it.
+pub fn exact(subject: &Subject, findings: &mut Findings) {
+    findings.watch_random(subject, 2_000, |setup, _| {
+        let mut run = subject.start(setup)?;
+        if !(subject.entry.exact)(run.parameters()) {
+            return Ok(());
+        }
+        while goes_on(&run) {
+            run.step(1);
+        }
+        if run.status() == Status::Exhausted {
+            return Ok(());
+        }
+        let optimum = run.exact().map(|exact| exact.length);
+        let found = run.outcome().length;
+        let is_it = match (found, optimum) {
+            (Some(found), Some(optimum)) => (found - optimum).abs() <= ROUNDING * optimum.max(1.0),
+            (None, optimum) => optimum.is_none(),
+            // Larger than what is solved exactly.
+            (Some(_), None) => true,
+        };
+        ensure(is_it, OPTIMAL, || format!("it ends with {found:?}, the optimum is {optimum:?}")).map_err(|fault| fault.at(run.iteration()))
     });
 }

@@ -14,7 +14,7 @@ use crate::{
 };
 
 use super::{
-    parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS_LAYER, TOURS},
+    parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS, ROADS_LAYER, TOURS},
     planner,
     problem::{Problem, Stop, Tour},
     search::Search,
@@ -243,4 +243,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .calls_at_most(MOST)
 .cases(CASES)
-.pseudocode(PSEUDOCODE);
+.pseudocode(PSEUDOCODE)
+// Over roads it is exact for those that were built; where there are none, the parameter reads as empty.
+.exact(|parameters| parameters[ROADS].is_empty());

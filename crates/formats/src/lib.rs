@@ -7,7 +7,7 @@
 mod csv;
 mod ends;
 mod file;
-mod movingai;
+pub mod movingai;
 mod pgm;
 mod report;
 mod ros;

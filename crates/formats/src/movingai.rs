@@ -11,10 +11,12 @@ use forage::{
     scene::{GridScene, grid},
 };
 
+pub use super::report::Problem;
+
 use super::{
     ends,
     file::{NamedFile, a_height, a_width},
-    report::{Exported, Imported, Problem, lost, note_other_name, scene},
+    report::{Exported, Imported, lost, note_other_name, scene},
 };
 
 /// A scene of a map, with the ends of one of the problems if there are some.
@@ -68,7 +70,11 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
     Ok(Imported { scene: scene(map, "MovingAI map", None, grid::KIND.optimum, Arc::new(grid), &notes)?, notes, problems })
 }
 
-fn read_map(file: &NamedFile, notes: &mut Vec<Message>) -> Result<GridScene, Error> {
+/// A map, with notes on how its cells were taken.
+///
+/// # Errors
+/// What is no such map, with the line.
+pub fn read_map(file: &NamedFile, notes: &mut Vec<Message>) -> Result<GridScene, Error> {
     let mut lines = file.lines()?;
     let (mut octile, mut height, mut width) = (false, None, None);
     let mut last = 0;
@@ -136,14 +142,17 @@ fn read_map(file: &NamedFile, notes: &mut Vec<Message>) -> Result<GridScene, Err
 /// A problem with the number of its line.
 type Numbered = (usize, Problem);
 
-/// The problems of a file on a map with these columns and rows (at least one), and the map's name.
-fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<Numbered>, &str), Error> {
+/// The problems of a file on a map with these columns and rows (at least one), each with its line, and the map's name.
+///
+/// # Errors
+/// A line that is no problem of this map.
+pub fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<Numbered>, &str), Error> {
     let named = map_of(file)?;
     let mut problems = Vec::new();
     let mut lines = file.lines()?;
     lines.next();
     for (line, found) in lines.filter(|(_, line)| !line.is_empty()) {
-        let [_, map, width, height, ax, ay, bx, by, length] = fields(file, line, found)?;
+        let [bucket, map, width, height, ax, ay, bx, by, length] = fields(file, line, found)?;
         if map != named {
             return Err(file.unexpected(line, map, &message!("files-one-map", "{map}, as above: one map at a time", map = named)));
         }
@@ -169,13 +178,18 @@ fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<Numbe
         let length = json::number(length)
             .filter(|length| length.is_finite() && *length >= 0.0)
             .ok_or_else(|| file.unexpected(line, length, &message!("files-length", "a length in cells")))?;
-        problems.push((line, Problem { start, goal, length }));
+        // Some files number them, others name them.
+        let bucket = bucket.parse().unwrap_or((length / 4.0) as u64);
+        problems.push((line, Problem { start, goal, length, bucket }));
     }
     Ok((problems, named))
 }
 
 /// The map that a file's problems are on.
-pub(super) fn map_of(file: &NamedFile) -> Result<&str, Error> {
+///
+/// # Errors
+/// A file that is not of this format, or without a problem.
+pub fn map_of(file: &NamedFile) -> Result<&str, Error> {
     let mut lines = file.lines()?;
     let (_, first) = lines.next().unwrap_or((1, ""));
     let mut words = first.split_ascii_whitespace();

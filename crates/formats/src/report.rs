@@ -13,7 +13,7 @@ use forage::{
 use super::file::{NamedFile, base, stem};
 
 /// A problem of a MovingAI `.scen` file.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Problem {
     /// The centre of the start cell, in the scene's unit.
@@ -22,6 +22,10 @@ pub struct Problem {
     pub goal: [f64; 2],
     /// The optimal length that the file states, in cells.
     pub length: f64,
+    /// In which of the file's buckets it is, by its length.
+    #[serde(skip)]
+    #[cfg_attr(feature = "types", ts(skip))]
+    pub bucket: u64,
 }
 
 /// A scene that was read from another format.

@@ -2,7 +2,7 @@
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
-use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use clap::{Args, Parser, Subcommand, ValueHint};
 
 use super::{examples, names, names::Offered};
 
@@ -64,7 +64,7 @@ pub(super) enum Command {
     /// Run planners on a suite by which the field compares itself, and write what its tools read.
     ///
     /// Finished runs are kept: after an interruption the same command continues.
-    #[command(after_help = examples::BENCH)]
+    #[command(after_help = examples::BENCH, subcommand_value_name = "SUITE", subcommand_help_heading = "Suites")]
     Bench(BenchArgs),
     /// Print a completion script for a shell.
     #[command(after_help = examples::COMPLETIONS)]
@@ -145,14 +145,23 @@ pub(super) struct GradeArgs {
 #[derive(Args)]
 pub(super) struct BenchArgs {
     /// The suite.
-    #[arg(value_name = "SUITE", value_enum)]
+    #[command(subcommand)]
     pub(super) suite: Suite,
-    /// Who takes part, with commas between; default: all that can.
-    #[arg(long, value_name = "PLANNERS", value_delimiter = ',')]
-    pub(super) planners: Vec<String>,
-    /// A parameter of all planners that take part, or with `PLANNER.` before it of one of them. Can be given several times.
-    #[arg(long, value_name = "[PLANNER.]NAME=VALUE")]
-    pub(super) set: Vec<String>,
+}
+
+/// Suites of benchmarks.
+#[derive(Subcommand)]
+pub(super) enum Suite {
+    /// The 24 noiseless functions of COCO
+    #[command(after_help = examples::BENCH_BBOB)]
+    Bbob(BbobArgs),
+    /// The problems of MovingAI's .scen files in a folder, against the optima that the files give
+    #[command(after_help = examples::BENCH_MOVINGAI)]
+    Movingai(MovingaiArgs),
+}
+
+#[derive(Args)]
+pub(super) struct BbobArgs {
     /// Numbers of functions: `1-5,8`; default: all.
     #[arg(long, value_name = "LIST")]
     pub(super) functions: Option<String>,
@@ -165,6 +174,31 @@ pub(super) struct BenchArgs {
     /// Evaluations for each variable.
     #[arg(long, value_name = "N", default_value_t = forage_study::bench::bbob::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
     pub(super) budget: u64,
+    #[command(flatten)]
+    pub(super) common: SuiteArgs,
+}
+
+#[derive(Args)]
+pub(super) struct MovingaiArgs {
+    /// The folder with .scen files and their maps, with all folders in it.
+    #[arg(value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(super) folder: PathBuf,
+    /// Take only the first N problems of each bucket of a file.
+    #[arg(long, value_name = "N", value_parser = many, allow_negative_numbers = true)]
+    pub(super) per_bucket: Option<NonZeroUsize>,
+    #[command(flatten)]
+    pub(super) common: SuiteArgs,
+}
+
+/// What all suites have.
+#[derive(Args)]
+pub(super) struct SuiteArgs {
+    /// Who takes part, with commas between; default: all that can, or of many problems those that are fast enough.
+    #[arg(long, value_name = "PLANNERS", value_delimiter = ',')]
+    pub(super) planners: Vec<String>,
+    /// A parameter of all planners that take part, or with `PLANNER.` before it of one of them. Can be given several times.
+    #[arg(long, value_name = "[PLANNER.]NAME=VALUE")]
+    pub(super) set: Vec<String>,
     /// The folder for rows, report and files of the suite's tools; default: the suite's name.
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(super) out: Option<PathBuf>,
@@ -177,13 +211,6 @@ pub(super) struct BenchArgs {
     /// Start over: throw away the rows that are there.
     #[arg(long)]
     pub(super) fresh: bool,
-}
-
-/// Suites of benchmarks.
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum Suite {
-    /// The 24 noiseless functions of COCO.
-    Bbob,
 }
 
 #[derive(Args)]
@@ -352,6 +379,11 @@ fn threads(text: &str) -> Result<NonZeroUsize, String> {
     let threads = whole_number(text, 1, 1024)?;
     // It is at least 1.
     Ok(usize::try_from(threads).ok().and_then(NonZeroUsize::new).unwrap_or(NonZeroUsize::MIN))
+}
+
+fn many(text: &str) -> Result<NonZeroUsize, String> {
+    let number = whole_number(text, 1, 1_000_000)?;
+    Ok(usize::try_from(number).ok().and_then(NonZeroUsize::new).unwrap_or(NonZeroUsize::MIN))
 }
 
 fn runs(text: &str) -> Result<u64, String> {

@@ -13,15 +13,15 @@ use forage::{
 };
 use forage_study::{
     bench::{
-        Contender,
-        bbob::{self, Plan, Row},
+        Contender, bbob, movingai,
+        suite::{self, Suite},
     },
-    runner::{self, Control},
+    runner::{self, Control, Job},
     sweep::Part,
 };
 
 use super::{
-    args::{BenchArgs, Suite},
+    args::{self, BbobArgs, BenchArgs, SuiteArgs},
     failure::{Failure, Outcome},
     files, interrupt,
     load::read_pairs,
@@ -33,37 +33,62 @@ use super::{
 
 /// What the files of rows are called, before what tells parts apart.
 const ROWS: &str = "rows";
+/// So many faults are shown.
+const SHOWN: usize = 10;
 
 pub(super) fn bench(args: &BenchArgs) -> Outcome {
-    let Suite::Bbob = args.suite;
-    let plan = Plan {
-        contenders: contenders(args)?,
+    match &args.suite {
+        args::Suite::Bbob(args) => conduct(&bbob_plan(args)?, &args.common),
+        args::Suite::Movingai(args) => {
+            let plan = movingai::Plan::read(&args.folder, args.per_bucket.map(usize::from))?;
+            conduct(&plan, &args.common)
+        }
+    }
+}
+
+/// Runs a suite, or a part of it, and writes what comes of it.
+fn conduct<S: Suite>(suite: &S, args: &SuiteArgs) -> Outcome {
+    let contenders = contenders::<S>(args)?;
+    let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
+    let attempts = suite.attempts(registry(), &contenders)?;
+    let folder = args.out.clone().unwrap_or_else(|| PathBuf::from(S::NAME));
+    files::check_folder("--out", &folder)?;
+    fs::create_dir_all(&folder).map_err(|error| Failure::write(&folder, error))?;
+    suite.notes().iter().for_each(|text| note(text));
+    let rows = carry_out::<S>(&attempts, part, &folder, args)?;
+    if part.of > 1 {
+        print(&format!("{} of {} runs are in {}", rows.len(), attempts.len(), quoted(&folder.to_string_lossy())))?;
+    } else {
+        let written = suite.write(&rows, &folder)?;
+        print(&suite.table(&rows))?;
+        let shown: Vec<_> = written.iter().map(|path| quoted(&path.to_string_lossy())).collect();
+        note(&format!("wrote {}", shown.join(", ")));
+    }
+    let faults = suite.faults(&rows);
+    faults.iter().take(SHOWN).for_each(|fault| note(fault));
+    if faults.len() > SHOWN {
+        note(&format!("and {} more", faults.len() - SHOWN));
+    }
+    Ok(ExitCode::from(u8::from(!faults.is_empty())))
+}
+
+fn bbob_plan(args: &BbobArgs) -> Result<bbob::Plan, Failure> {
+    Ok(bbob::Plan {
         functions: numbers("--functions", args.functions.as_deref(), 1, BBOB_FUNCTIONS, (1..=BBOB_FUNCTIONS).collect())?,
         dimensions: dimensions(args.dimensions.as_deref())?,
         instances: numbers("--instances", args.instances.as_deref(), 1, BBOB_INSTANCES, (1..=bbob::INSTANCES).collect())?,
         budget: args.budget,
-    };
-    let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
-    plan.check(registry())?;
-    let folder = args.out.clone().unwrap_or_else(|| PathBuf::from("bbob"));
-    files::check_folder("--out", &folder)?;
-    fs::create_dir_all(&folder).map_err(|error| Failure::write(&folder, error))?;
-    let jobs = plan.jobs(registry());
-    let rows = carry_out(&jobs, part, &folder, args)?;
-    if part.of > 1 {
-        return print(&format!("{} of {} runs are in {}", rows.len(), jobs.len(), quoted(&folder.to_string_lossy())))
-            .map(|()| ExitCode::SUCCESS);
-    }
-    let written = bbob::write(&rows, &folder)?;
-    print(&bbob::table(&rows))?;
-    let shown: Vec<_> = written.iter().map(|path| quoted(&path.to_string_lossy())).collect();
-    note(&format!("wrote {}, and what cocopp and iohinspector read beside them", shown.join(" and ")));
-    Ok(ExitCode::SUCCESS)
+    })
 }
 
 /// Runs the part's jobs whose rows are missing, and returns the part's rows.
-fn carry_out(jobs: &[bbob::Task], part: Part, folder: &Path, args: &BenchArgs) -> Result<Vec<Row>, Failure> {
-    let own: Vec<bbob::Task> = part.jobs(jobs.len()).map(|job| jobs[job].clone()).collect();
+fn carry_out<S: Suite>(
+    attempts: &[S::Attempt],
+    part: Part,
+    folder: &Path,
+    args: &SuiteArgs,
+) -> Result<Vec<<S::Attempt as Job>::Row>, Failure> {
+    let own: Vec<S::Attempt> = part.jobs(attempts.len()).map(|job| attempts[job].clone()).collect();
     let name = if part.of > 1 { format!("{ROWS}.{}-of-{}.csv", part.index, part.of) } else { format!("{ROWS}.csv") };
     let file = folder.join(name);
     if part.of == 1 {
@@ -71,11 +96,11 @@ fn carry_out(jobs: &[bbob::Task], part: Part, folder: &Path, args: &BenchArgs) -
         if args.fresh {
             parts.iter().try_for_each(|part| fs::remove_file(part).map_err(|error| Failure::write(part, error)))?;
         } else {
-            bbob::gather(&file, &parts, jobs, &interrupt::flag())?;
+            suite::gather(&file, &parts, attempts, &interrupt::flag())?;
         }
     }
     let stop = interrupt::flag();
-    let bar = progress::bar("bbob");
+    let bar = progress::bar(S::NAME);
     let show = |done, total| progress::show(&bar, done, total);
     let control = Control { stop: &stop, progress: &show };
     let rows = runner::run(&own, &file, args.fresh, args.jobs.map(usize::from), &control);
@@ -97,8 +122,8 @@ fn parts(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Who takes part, with what is set of them.
-fn contenders(args: &BenchArgs) -> Result<Vec<Contender>, Failure> {
-    let everyone = Plan::everyone(registry());
+fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
+    let everyone = S::everyone(registry());
     let known: Vec<&str> = everyone.iter().map(|contender| contender.planner.as_str()).collect();
     let mut chosen: Vec<Contender> = Vec::new();
     for name in &args.planners {
@@ -110,7 +135,7 @@ fn contenders(args: &BenchArgs) -> Result<Vec<Contender>, Failure> {
         chosen.push(found.clone());
     }
     if chosen.is_empty() {
-        chosen.clone_from(&everyone);
+        chosen = S::usual(registry());
     }
     // What is set of all comes first: what is set of one planner counts more.
     let is_own = |pair: &&String| pair.split('=').next().is_some_and(|left| left.contains('.'));

@@ -75,10 +75,24 @@ pub(super) const LICENSES: &str = "Example:
   forage licenses";
 
 pub(super) const BENCH: &str = "Examples:
+  forage bench bbob --planners pso,wcpso --dimensions 2,10
+  forage bench movingai maps/dao
+  forage bench movingai --help
+
+`forage bench SUITE --help` shows a suite’s options and more examples.";
+
+pub(super) const BENCH_BBOB: &str = "Examples:
   forage bench bbob
   forage bench bbob --planners pso,wcpso --dimensions 2,10 --budget 10000 --out swarms
   forage bench bbob --set pso.w=0.7 --functions 1-5 --instances 1-5
   python3 -m cocopp swarms/coco/pso swarms/coco/wcpso";
+
+pub(super) const BENCH_MOVINGAI: &str = "Examples:
+  forage bench movingai maps/dao
+  forage bench movingai maps --planners a-star,theta-star,aco --per-bucket 1 --out paths
+  forage bench movingai maps --shard 1/4
+
+The exit code is 1 if an exact planner misses the optimum of a file.";
 
 pub(super) const EXPERIMENT: &str = "Examples:
   forage experiment --example > sweep.toml

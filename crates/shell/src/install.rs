@@ -36,9 +36,16 @@ pub(super) fn man(folder: Option<&Path>) -> Outcome {
     };
     files::check_folder("--out", folder)?;
     fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))?;
-    let subcommands: Vec<_> = command.get_subcommands().filter(|command| !command.is_hide_set()).cloned().collect();
-    let count = subcommands.len() + 1;
-    for command in subcommands.into_iter().chain([command]) {
+    let mut commands = vec![command];
+    let mut next = 0;
+    while let Some(command) = commands.get(next) {
+        let below: Vec<_> =
+            command.get_subcommands().filter(|command| !command.is_hide_set() && command.get_name() != "help").cloned().collect();
+        commands.extend(below);
+        next += 1;
+    }
+    let count = commands.len();
+    for command in commands {
         let name = command.get_display_name().unwrap_or_else(|| command.get_name()).to_owned();
         files::write(&folder.join(format!("{name}.1")), page(command)?)?;
     }

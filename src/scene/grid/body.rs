@@ -170,8 +170,8 @@ impl GridScene {
         self
     }
 
-    /// The same grid with other ends.
-    pub(super) fn with_ends(&self, [start, goal]: [[f64; 2]; 2]) -> Self {
+    /// The same grid with other ends. What follows from the cells is shared: it is made once for all.
+    pub fn with_ends(&self, [start, goal]: [[f64; 2]; 2]) -> Self {
         let derived = Derived { field: self.derived.field.clone(), cells: self.derived.cells.clone() };
         Self { start: Some(start), goal: Some(goal), derived, ..self.clone() }
     }

@@ -4,25 +4,15 @@
 //! written that others' tools read.
 
 pub mod bbob;
-mod coco;
-mod iohprofiler;
-mod recorder;
-mod report;
-mod row;
-mod targets;
+pub mod movingai;
+mod plot;
+pub mod suite;
 
 use std::sync::Arc;
 
-use forage::{Error, Overrides, Registry, Run, Setup, Status, params::Domain};
+use forage::{Error, Registry, Run, Setup, Status, params::Domain};
 
-/// A planner that takes part, with what is set of it.
-#[derive(Debug, Clone)]
-pub struct Contender {
-    /// The planner's name.
-    pub planner: String,
-    /// Parameters that differ from the defaults.
-    pub params: Overrides,
-}
+pub use suite::{Contender, Suite};
 
 /// The parameter by which planners say how long they run.
 const ITERATIONS: &str = "iterations";

@@ -3,7 +3,7 @@
 use forage::scene::function::BBOB_FUNCTIONS;
 use serde::{Deserialize, Serialize};
 
-use super::super::rows::Row as Kept;
+use super::super::{super::rows::Row as Kept, suite::named};
 
 /// What the functions are called, by number.
 pub const TITLES: [&str; BBOB_FUNCTIONS] = [
@@ -65,7 +65,7 @@ impl Row {
 
     /// What tells planners apart, with what is set of them.
     pub(super) fn contender(&self) -> String {
-        if self.params.is_empty() { self.planner.clone() } else { format!("{} {}", self.planner, self.params) }
+        named(&self.planner, &self.params)
     }
 }
 

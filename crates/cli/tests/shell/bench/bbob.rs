@@ -1,4 +1,4 @@
-//! `forage bench`.
+//! `forage bench bbob`.
 
 use std::{fs, path::Path};
 

@@ -2,44 +2,28 @@
 
 use std::{
     collections::BTreeSet,
-    error::Error,
     fmt::Write as _,
-    fs, io,
+    fs,
     path::{Path, PathBuf},
 };
 
-use plotters::prelude::*;
+use plotters::chart::SeriesLabelPosition;
 
 use super::{
     super::{
-        failure::{Failure, at},
-        table::{Cell, Table},
+        super::{
+            failure::{Failure, at},
+            table::{Cell, Table},
+        },
+        plot::{self, Axis, Curve},
+        suite::distinct,
     },
     row::{Row, TITLES},
     targets,
 };
 
-const SIZE: (u32, u32) = (900, 560);
-/// Of Okabe and Ito: they can be told apart by everyone.
-const COLOURS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 0, 0),
-];
-
-/// In the order of the rows.
 fn contenders(rows: &[Row]) -> Vec<String> {
-    let mut all: Vec<String> = Vec::new();
-    for row in rows {
-        if !all.contains(&row.contender()) {
-            all.push(row.contender());
-        }
-    }
-    all
+    distinct(rows.iter().map(Row::contender))
 }
 
 fn sorted(of: impl Iterator<Item = usize>) -> Vec<usize> {
@@ -110,7 +94,7 @@ fn running_times(rows: &[Row], dimension: usize) -> Table {
 /// Writes the report and its picture.
 pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let picture = folder.join("targets.svg");
-    draw(&picture, rows).map_err(|problem| Failure::File(picture.clone(), io::Error::other(problem.to_string())))?;
+    draw(&picture, rows)?;
     let mut text = String::from("# bbob\n\n");
     let budget = sorted(rows.iter().map(|row| (row.budget / row.dimension as u64) as usize));
     let budget: Vec<String> = budget.iter().map(ToString::to_string).collect();
@@ -140,18 +124,11 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
 }
 
 /// The share of targets that were reached, over evaluations for each variable.
-fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, SIZE).into_drawing_area();
-    root.fill(&WHITE)?;
+fn draw(path: &Path, rows: &[Row]) -> Result<(), Failure> {
     let most = rows.iter().map(|row| row.budget as f64 / row.dimension as f64).fold(10.0, f64::max);
-    let mut chart = ChartBuilder::on(&root)
-        .margin(14)
-        .x_label_area_size(42)
-        .y_label_area_size(52)
-        .build_cartesian_2d((0.1..most).log_scale(), 0.0..1.0_f64)?;
-    let label = |number: &f64| format!("{number}");
-    chart.configure_mesh().x_desc("evaluations / D").y_desc("share of targets").x_label_formatter(&label).draw()?;
-    for (contender, colour) in contenders(rows).into_iter().zip(COLOURS.into_iter().cycle()) {
+    let x = Axis { title: "evaluations / D", range: 0.1..most, log: true };
+    let y = Axis { title: "share of targets", range: 0.0..1.0, log: false };
+    let curve = |contender: String| {
         let (reached, all) = times(rows.iter().filter(|row| row.contender() == contender));
         let mut points = vec![(0.1, 0.0)];
         for (k, at) in reached.iter().enumerate() {
@@ -163,12 +140,7 @@ fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
             }
         }
         points.push((most, points.last().map_or(0.0, |point| point.1)));
-        chart
-            .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
-            .label(contender)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 24, y)], colour.stroke_width(2)));
-    }
-    chart.configure_series_labels().position(SeriesLabelPosition::UpperLeft).background_style(WHITE.mix(0.85)).draw()?;
-    root.present()?;
-    Ok(())
+        Curve { name: contender, points }
+    };
+    plot::draw(path, &x, &y, &contenders(rows).into_iter().map(curve).collect::<Vec<_>>(), SeriesLabelPosition::UpperLeft)
 }

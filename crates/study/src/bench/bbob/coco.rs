@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
 use forage::{math, scene::FunctionScene};
 
 use super::{
-    super::failure::{Failure, at},
+    super::super::failure::{Failure, at},
     row::Row,
     targets,
 };

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
 use serde_json::{Value, json};
 
 use super::{
-    super::failure::{Failure, at},
+    super::super::failure::{Failure, at},
     coco::file_name,
     row::{Row, TITLES},
 };

@@ -1,0 +1,4 @@
+//! `forage bench`.
+
+mod bbob;
+mod movingai;

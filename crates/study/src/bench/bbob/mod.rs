@@ -1,0 +1,190 @@
+//! The suite `bbob`: 24 functions, each in several instances and dimensions, and how near planners come within a budget.
+
+mod coco;
+mod iohprofiler;
+mod recorder;
+mod report;
+mod row;
+mod targets;
+
+use std::{
+    path::{Path, PathBuf},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+use self::{recorder::Recorder, row::key};
+use super::{
+    super::{failure::Failure, runner::Job},
+    ITERATIONS, iterations_within,
+    suite::{Attempt, Contender, Suite, check_count, empty},
+};
+use forage::{
+    Error, Registry, Run, Setup, Status, Value,
+    scene::{FUNCTION, FunctionScene, Header},
+};
+
+pub use row::{Row, TITLES};
+
+/// The dimensions of the suite.
+pub const DIMENSIONS: [usize; 6] = [2, 3, 5, 10, 20, 40];
+/// How many instances are looked at, unless it is said otherwise.
+pub const INSTANCES: usize = 15;
+/// Evaluations for each variable, unless it is said otherwise.
+pub const BUDGET: u64 = 1_000;
+
+/// What is run.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// Numbers of functions, from 1.
+    pub functions: Vec<usize>,
+    /// Numbers of variables.
+    pub dimensions: Vec<usize>,
+    /// Instances, from 1; each is run once, with its number as the seed.
+    pub instances: Vec<usize>,
+    /// Evaluations for each variable.
+    pub budget: u64,
+}
+
+/// A run of a planner on an instance of a function.
+#[derive(Debug, Clone)]
+pub struct Task {
+    registry: Arc<Registry>,
+    contender: Contender,
+    function: usize,
+    dimension: usize,
+    instance: usize,
+    budget: u64,
+}
+
+impl Suite for Plan {
+    type Attempt = Task;
+
+    const NAME: &'static str = "bbob";
+
+    fn everyone(registry: &Registry) -> Vec<Contender> {
+        let planners = registry.planners().iter().filter(|entry| entry.kinds.contains(&FUNCTION));
+        planners.map(|entry| Contender::new(entry.name)).collect()
+    }
+
+    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+        let sizes = [self.functions.len(), self.dimensions.len(), self.instances.len()];
+        check_count(sizes.into_iter().fold(contenders.len(), usize::saturating_mul))?;
+        // One function says it for all.
+        for job in (Self { functions: vec![1], instances: vec![1], ..self.clone() }).jobs(registry, contenders) {
+            let setup = job.setup(FunctionScene::bbob(job.function, job.instance, job.dimension)?)?;
+            setup.check(registry).map_err(|error| error.within(&job.contender.planner))?;
+        }
+        Ok(self.jobs(registry, contenders))
+    }
+
+    fn write(&self, rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+        let [coco, iohprofiler] = ["coco", "iohprofiler"].map(|name| folder.join(name));
+        empty(&coco)?;
+        coco::write(rows, &coco)?;
+        empty(&iohprofiler)?;
+        iohprofiler::write(rows, &iohprofiler)?;
+        report::write(rows, folder)
+    }
+
+    fn table(&self, rows: &[Row]) -> String {
+        report::table(rows)
+    }
+}
+
+impl Plan {
+    fn jobs(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Vec<Task> {
+        let mut jobs = Vec::new();
+        for contender in contenders {
+            for &function in &self.functions {
+                for &dimension in &self.dimensions {
+                    let budget = self.budget * dimension as u64;
+                    jobs.extend(self.instances.iter().map(|&instance| Task {
+                        registry: Arc::clone(registry),
+                        contender: contender.clone(),
+                        function,
+                        dimension,
+                        instance,
+                        budget,
+                    }));
+                }
+            }
+        }
+        jobs
+    }
+}
+
+impl Task {
+    fn setup(&self, scene: FunctionScene) -> Result<Setup, Error> {
+        let name = format!("bbob-{}-{}-{}", self.function, self.dimension, self.instance);
+        let scene = forage::scene::function::KIND.scene(Header::named(&name, &name), scene)?;
+        let Contender { planner, params } = self.contender.clone();
+        Ok(Setup { planner, scene: Arc::new(scene), params, seed: self.instance as u64 })
+    }
+
+    fn carry_out(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
+        let known = FunctionScene::bbob(self.function, self.instance, self.dimension)?;
+        let minimum = known.minimum().map_or(0.0, |minimum| minimum.value);
+        let inner = Arc::clone(known.objective());
+        let mut setup = self.setup(known)?;
+        if setup.params.get(ITERATIONS).is_none() {
+            let iterations = iterations_within(&self.registry, &setup, self.budget)?;
+            setup.params.insert(ITERATIONS, Value::Number(iterations as f64));
+        }
+        let recorder = Arc::new(Recorder::new(inner, self.budget));
+        setup.scene = self.setup(FunctionScene::of(Arc::<Recorder>::clone(&recorder), None, None)?)?.scene;
+        recorder.clear();
+        let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
+        loop {
+            let over = recorder.read(|log| log.evaluations >= self.budget || log.best() - minimum <= targets::FINAL);
+            if over || run.step(1) != Status::Running {
+                break;
+            }
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(recorder.read(|log| {
+            // What was evaluated in the same iteration after it was solved does not count.
+            let course: Vec<_> = log.improvements.iter().map(|(at, value)| (*at, value - minimum)).collect();
+            let solved = targets::hit(&course, targets::FINAL);
+            let until = solved.unwrap_or(log.evaluations);
+            let course: Vec<_> = course.into_iter().filter(|(at, _)| *at <= until).collect();
+            Row {
+                planner: self.contender.planner.clone(),
+                params: self.contender.set(),
+                function: self.function,
+                dimension: self.dimension,
+                instance: self.instance,
+                budget: self.budget,
+                evaluations: until,
+                gap: course.last().map_or(f64::INFINITY, |(_, gap)| *gap),
+                improvements: course.iter().map(|(at, gap)| format!("{at}:{gap:?}")).collect::<Vec<_>>().join(" "),
+            }
+        })))
+    }
+}
+
+impl Job for Task {
+    type Row = Row;
+
+    fn key(&self) -> String {
+        key(&self.contender.name(), self.function, self.dimension, self.instance, self.budget)
+    }
+
+    fn weight(&self) -> u64 {
+        self.budget * self.dimension as u64
+    }
+
+    fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
+        self.carry_out(stop)
+    }
+}
+
+impl Attempt for Task {
+    fn contender(&self) -> &Contender {
+        &self.contender
+    }
+}

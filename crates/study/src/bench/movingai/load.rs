@@ -1,0 +1,132 @@
+//! Finding the files of a folder, and reading maps when they are needed.
+
+use std::{
+    collections::{BTreeMap, VecDeque},
+    fs,
+    path::{Path, PathBuf},
+    sync::{Arc, Mutex, PoisonError},
+};
+
+use forage::{Error, kernel::Message, scene::GridScene};
+use forage_formats::{
+    NamedFile,
+    movingai::{self, Problem},
+};
+
+use super::super::{
+    super::failure::{Failure, at},
+    suite::files_in,
+};
+
+/// So many maps are in memory at once: problems of one map are run one after the other.
+const KEPT: usize = 4;
+
+/// The problems of a `.scen` file that can be run.
+pub(super) struct Set {
+    /// The file's name within the folder.
+    pub name: String,
+    /// Its map, by the place in the list.
+    pub map: usize,
+    /// How many cells the map has.
+    pub cells: u64,
+    /// Their numbers in the file, from 0.
+    pub problems: Vec<(usize, Problem)>,
+}
+
+/// All that is in a folder.
+pub(super) struct Worlds {
+    pub sets: Vec<Set>,
+    /// What is not run, and why.
+    pub notes: Vec<String>,
+    maps: Vec<PathBuf>,
+    /// Those that were needed last.
+    recent: Mutex<VecDeque<(usize, Arc<GridScene>)>>,
+}
+
+fn read(path: &Path) -> Result<NamedFile, Failure> {
+    Ok(NamedFile::new(path.to_string_lossy(), fs::read(path).map_err(at(path))?))
+}
+
+fn map(path: &Path) -> Result<GridScene, Failure> {
+    Ok(movingai::read_map(&read(path)?, &mut Vec::new())?)
+}
+
+/// The map of this name: next to the file, or wherever it is in the folder.
+fn find<'a>(name: &str, scen: &Path, maps: &'a [PathBuf]) -> Option<&'a PathBuf> {
+    let file = Path::new(name).file_name()?;
+    let mut same = maps.iter().filter(|path| path.file_name() == Some(file));
+    let beside = same.clone().find(|path| path.parent() == scen.parent());
+    // Of several the one whose folders have the name's last ones.
+    beside.or_else(|| same.clone().find(|path| path.ends_with(name))).or_else(|| same.next())
+}
+
+impl Worlds {
+    pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
+        let (scens, maps) = (files_in(folder, "scen")?, files_in(folder, "map")?);
+        let mut worlds = Self { sets: Vec::new(), notes: Vec::new(), maps, recent: Mutex::default() };
+        let mut by_map: BTreeMap<usize, Vec<(String, NamedFile)>> = BTreeMap::new();
+        for path in &scens {
+            let file = read(path)?;
+            let name = path.strip_prefix(folder).unwrap_or(path).to_string_lossy().replace('\\', "/");
+            let named = movingai::map_of(&file)?.to_owned();
+            match find(&named, path, &worlds.maps).and_then(|map| worlds.maps.iter().position(|one| one == map)) {
+                Some(map) => by_map.entry(map).or_default().push((name, file)),
+                None => worlds.notes.push(format!("{name} is not run: its map {named} is not in the folder")),
+            }
+        }
+        for (index, files) in by_map {
+            let map = map(&worlds.maps[index])?;
+            for (name, file) in files {
+                let set = worlds.set(&map, index, name, &file)?;
+                worlds.sets.push(set);
+            }
+        }
+        worlds.sets.sort_by(|a, b| a.name.cmp(&b.name));
+        if worlds.sets.iter().all(|set| set.problems.is_empty()) {
+            let problem = match worlds.notes.first() {
+                None => "no .scen file is in the folder".to_owned(),
+                Some(first) => format!("no problem can be run: {first}"),
+            };
+            return Err(Error::malformed(&folder.display().to_string(), Message::verbatim(problem)).into());
+        }
+        Ok(worlds)
+    }
+
+    /// The problems of a file. Those that begin or end in a blocked cell, or where they begin, are noted.
+    fn set(&mut self, map: &GridScene, index: usize, name: String, file: &NamedFile) -> Result<Set, Failure> {
+        let (lines, _) = movingai::read_scen(file, [map.columns, map.rows()])?;
+        let all = lines.len();
+        let is_blocked = |[x, y]: [f64; 2]| map.blocked[y as usize * map.columns + x as usize];
+        let can_be_run = |problem: &Problem| !is_blocked(problem.start) && !is_blocked(problem.goal) && problem.start != problem.goal;
+        let problems: Vec<_> = lines.into_iter().map(|(_, problem)| problem).enumerate().filter(|(_, p)| can_be_run(p)).collect();
+        let left = all - problems.len();
+        if left > 0 {
+            self.notes.push(format!(
+                "{left} of {all} problems of {name} are not run: they begin or end in blocked cells (W is one), or are no way"
+            ));
+        }
+        Ok(Set { name, map: index, cells: map.blocked.len() as u64, problems })
+    }
+
+    /// A map.
+    pub(super) fn map(&self, index: usize) -> Result<Arc<GridScene>, Error> {
+        let known = |recent: &VecDeque<(usize, Arc<GridScene>)>| recent.iter().find(|(at, _)| *at == index).map(|(_, map)| Arc::clone(map));
+        if let Some(map) = known(&self.recent.lock().unwrap_or_else(PoisonError::into_inner)) {
+            return Ok(map);
+        }
+        let path = &self.maps[index];
+        let refused = |failure: Failure| match failure {
+            Failure::Refused(error) => error,
+            other => Error::malformed(&path.display().to_string(), Message::verbatim(other.to_string())),
+        };
+        let map = Arc::new(map(path).map_err(refused)?);
+        // What follows from the cells is made here, and not in the time of the run that needs it first.
+        let _ = (map.field(), map.cells());
+        let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
+        recent.push_back((index, Arc::clone(&map)));
+        if recent.len() > KEPT {
+            recent.pop_front();
+        }
+        Ok(map)
+    }
+}

@@ -1,0 +1,206 @@
+//! The suite `movingai`: all problems of the `.scen` files in a folder, against the optima that the files give.
+//!
+//! <https://movingai.com/benchmarks/formats.html>
+
+mod load;
+mod report;
+mod row;
+
+use std::{
+    path::{Path, PathBuf},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+    time::Instant,
+};
+
+use forage::{
+    Error, Registry, Run, Setup, Status,
+    scene::{GRID, GridScene, Header, grid},
+};
+use forage_formats::movingai::Problem;
+
+pub use row::Row;
+
+use self::{load::Worlds, row::key};
+use super::{
+    super::{failure::Failure, runner::Job},
+    suite::{Attempt, Contender, Suite, check_count},
+};
+
+/// The problems of a folder.
+pub struct Plan {
+    worlds: Arc<Worlds>,
+    /// Of each bucket of a file the first so many; `None`: all.
+    per_bucket: Option<usize>,
+}
+
+/// A planner on a problem.
+#[derive(Clone)]
+pub struct Task {
+    registry: Arc<Registry>,
+    worlds: Arc<Worlds>,
+    contender: Arc<Contender>,
+    /// The file of problems, and the problem in it, from 0.
+    at: [usize; 2],
+}
+
+impl Plan {
+    /// Reads the problems of all `.scen` files in a folder and the folders in it. Maps are looked for there, too.
+    ///
+    /// # Errors
+    /// A folder without a problem that has its map; a file that cannot be read.
+    pub fn read(folder: &Path, per_bucket: Option<usize>) -> Result<Self, Failure> {
+        Ok(Self { worlds: Arc::new(Worlds::read(folder)?), per_bucket })
+    }
+
+    /// File and number of each problem that is run.
+    fn chosen(&self) -> Vec<[usize; 2]> {
+        let mut all = Vec::new();
+        for (file, set) in self.worlds.sets.iter().enumerate() {
+            let (mut bucket, mut taken) = (None, 0);
+            for &(number, problem) in &set.problems {
+                if bucket != Some(problem.bucket) {
+                    (bucket, taken) = (Some(problem.bucket), 0);
+                }
+                taken += 1;
+                if self.per_bucket.is_none_or(|most| taken <= most) {
+                    all.push([file, number]);
+                }
+            }
+        }
+        all
+    }
+}
+
+impl Suite for Plan {
+    type Attempt = Task;
+
+    const NAME: &'static str = "movingai";
+
+    fn everyone(registry: &Registry) -> Vec<Contender> {
+        let planners = registry.planners().iter().filter(|entry| entry.kinds.contains(&GRID) && !entry.stops);
+        planners.map(|entry| Contender::new(entry.name)).collect()
+    }
+
+    /// The families that have an exact planner: they are fast enough for thousands of problems.
+    fn usual(registry: &Registry) -> Vec<Contender> {
+        let is_exact = |contender: &Contender| {
+            let entry = registry.planner(&contender.planner).ok()?;
+            Some((entry.family, (entry.exact)(&entry.configure(GRID, &contender.params).ok()?)))
+        };
+        let everyone = Self::everyone(registry);
+        let families: Vec<&str> = everyone.iter().filter_map(is_exact).filter(|(_, exact)| *exact).map(|(family, _)| family).collect();
+        everyone.into_iter().filter(|contender| is_exact(contender).is_some_and(|(family, _)| families.contains(&family))).collect()
+    }
+
+    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+        let chosen = self.chosen();
+        check_count(chosen.len().saturating_mul(contenders.len()))?;
+        let mut all = Vec::new();
+        for contender in contenders {
+            let contender = Arc::new(contender.clone());
+            all.extend(chosen.iter().map(|&at| Task {
+                registry: Arc::clone(registry),
+                worlds: Arc::clone(&self.worlds),
+                contender: Arc::clone(&contender),
+                at,
+            }));
+            // One problem says for all what is set wrongly.
+            if let Some(task) = all.last() {
+                task.setup()?.check(registry).map_err(|error| error.within(&contender.planner))?;
+            }
+        }
+        Ok(all)
+    }
+
+    fn write(&self, rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+        report::write(rows, self.notes(), folder)
+    }
+
+    fn table(&self, rows: &[Row]) -> String {
+        report::planners(rows).text()
+    }
+
+    fn faults(&self, rows: &[Row]) -> Vec<String> {
+        rows.iter().filter(|row| row.is_fault()).map(Row::fault).collect()
+    }
+
+    fn notes(&self) -> &[String] {
+        &self.worlds.notes
+    }
+}
+
+impl Task {
+    fn problem(&self) -> Problem {
+        let [file, number] = self.at;
+        let problems = &self.worlds.sets[file].problems;
+        problems[problems.partition_point(|(at, _)| *at < number)].1
+    }
+
+    fn setup(&self) -> Result<Setup, Error> {
+        let [file, number] = self.at;
+        let set = &self.worlds.sets[file];
+        let Problem { start, goal, .. } = self.problem();
+        let map: Arc<GridScene> = self.worlds.map(set.map)?;
+        let name = format!("{} {number}", set.name);
+        let scene = grid::KIND.scene(Header::named(&name, &name), map.with_ends([start, goal]))?;
+        let Contender { planner, params } = (*self.contender).clone();
+        Ok(Setup { planner, scene: Arc::new(scene), params, seed: number as u64 + 1 })
+    }
+
+    fn carry_out(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
+        let [file, number] = self.at;
+        let set = &self.worlds.sets[file];
+        let problem = self.problem();
+        let setup = self.setup()?;
+        let scene = Arc::clone(&setup.scene);
+        let begun = Instant::now();
+        let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
+        while run.step(1) == Status::Running {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
+        }
+        let seconds = begun.elapsed().as_secs_f64();
+        let exact = (run.entry().exact)(run.parameters());
+        let verdict = run.best().map(|best| scene.judge(&best.solution));
+        let length = verdict.filter(|verdict| verdict.feasible).and_then(|verdict| verdict.length);
+        Ok(Some(Row {
+            planner: self.contender.planner.clone(),
+            params: self.contender.set(),
+            file: set.name.clone(),
+            problem: number,
+            bucket: problem.bucket,
+            optimum: problem.length,
+            exact,
+            length,
+            iterations: run.iteration(),
+            evaluations: run.evaluations(),
+            seconds,
+        }))
+    }
+}
+
+impl Job for Task {
+    type Row = Row;
+
+    fn key(&self) -> String {
+        key(&self.contender.name(), &self.worlds.sets[self.at[0]].name, self.at[1])
+    }
+
+    fn weight(&self) -> u64 {
+        self.worlds.sets[self.at[0]].cells
+    }
+
+    fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
+        self.carry_out(stop)
+    }
+}
+
+impl Attempt for Task {
+    fn contender(&self) -> &Contender {
+        &self.contender
+    }
+}

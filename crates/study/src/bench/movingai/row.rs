@@ -1,0 +1,79 @@
+//! What a run on a problem came to.
+
+use serde::{Deserialize, Serialize};
+
+use super::super::{super::rows::Row as Kept, suite::named};
+
+/// How far a length may be from the file's optimum and still be it.
+pub(super) const TOLERANCE: f64 = 1e-4;
+/// The same as a share of the optimum, in addition: older files give six digits.
+pub(super) const DIGITS: f64 = 5e-6;
+
+/// What it came to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// The planner.
+    pub planner: String,
+    /// What was set of it.
+    pub params: String,
+    /// The file of problems, within the folder.
+    pub file: String,
+    /// The problem's number in it, from 0.
+    pub problem: usize,
+    /// The bucket that the file puts it in.
+    pub bucket: u64,
+    /// The shortest way from cell to cell, as the file gives it.
+    pub optimum: f64,
+    /// Whether the planner says that it finds the shortest way.
+    pub exact: bool,
+    /// The length of what was found, if it is a way.
+    pub length: Option<f64>,
+    /// Iterations taken.
+    pub iterations: u64,
+    /// Evaluations: cells that were closed, for a search.
+    pub evaluations: u64,
+    /// How long it took, in seconds; measured.
+    pub seconds: f64,
+}
+
+impl Row {
+    /// How much longer than the optimum, as a share of it. Planners that do not go from cell to cell may be below 0.
+    pub(super) fn gap(&self) -> Option<f64> {
+        self.length.filter(|_| self.optimum > 0.0).map(|length| length / self.optimum - 1.0)
+    }
+
+    /// What tells planners apart, with what is set of them.
+    pub(super) fn contender(&self) -> String {
+        named(&self.planner, &self.params)
+    }
+
+    /// Whether the length is the optimum, as far as the file's digits tell.
+    pub(super) fn is_optimal(&self) -> bool {
+        self.length.is_some_and(|length| (length - self.optimum).abs() <= TOLERANCE + DIGITS * self.optimum)
+    }
+
+    /// Whether it is another length than the optimum though the planner is exact.
+    pub(super) fn is_fault(&self) -> bool {
+        self.exact && !self.is_optimal()
+    }
+
+    /// What is wrong with it.
+    pub(super) fn fault(&self) -> String {
+        let found = self.length.map_or("no way".to_owned(), |length| format!("a way of {length}"));
+        format!("{}: {found}, the optimum is {}", self.key(), self.optimum)
+    }
+}
+
+impl Kept for Row {
+    fn key(&self) -> String {
+        key(&self.contender(), &self.file, self.problem)
+    }
+
+    fn computed(&self) -> Self {
+        Self { seconds: 0.0, ..self.clone() }
+    }
+}
+
+pub(super) fn key(contender: &str, file: &str, problem: usize) -> String {
+    format!("{contender} on {file} problem {problem}")
+}
