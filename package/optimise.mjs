@@ -82,7 +82,11 @@ function merge() {
   writeFileSync(`${folder}/parts.json`, JSON.stringify(Object.fromEntries(parts.sort().map((part) => [part, files(part)]))))
 }
 
+/** Reads and writes files: no loop in it is worth more bytes. */
+const COLD = ['files.wasm']
+
 function optimise(name) {
+  binaryen.setShrinkLevel(COLD.includes(name) ? 2 : 0)
   const module = read(`${folder}/${name}`)
   // Twice: the passes leave something for each other.
   module.optimize()
@@ -101,7 +105,6 @@ binaryen.setDebugInfo(true)
 merge()
 binaryen.setDebugInfo(false)
 binaryen.setOptimizeLevel(3)
-binaryen.setShrinkLevel(0)
 binaryen.setOneCallerInlineMaxSize(30)
 // What the program wasm-opt does at this level, and the library only when told.
 binaryen.setGenerateStackIR(true)

@@ -1,5 +1,7 @@
 //! Distances between stops, from which the length of a tour is computed.
 
+use std::sync::Arc;
+
 use crate::{kernel::Error, math, message};
 
 /// The metric of distances between points. All but the first are TSPLIB's, by its own formulas and in whole numbers, for
@@ -38,6 +40,7 @@ impl Metric {
     }
 
     /// The distance of two points.
+    #[inline(never)]
     pub fn distance(self, a: [f64; 2], b: [f64; 2]) -> f64 {
         let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
         let straight = || (dx * dx + dy * dy).sqrt();
@@ -66,14 +69,27 @@ fn on_sphere(a: [f64; 2], b: [f64; 2]) -> f64 {
     (RADIUS * math::acos(0.5 * ((1.0 + q1) * q2 - (1.0 - q1) * q3)) + 1.0).trunc()
 }
 
+/// The most stops whose distances are kept as a matrix: 32 MB. Those of more are computed whenever they are needed.
+pub const MAX_MATRIX: usize = 2000;
+
 /// The symmetric distances of `n` stops from each other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distances {
     n: usize,
+    /// Row by row; empty where they are computed.
     values: Vec<f64>,
+    points: Arc<[[f64; 2]]>,
+    metric: Metric,
+    fixed: Arc<[[usize; 2]]>,
+    /// How much shorter than nothing a fixed way counts: a whole number.
+    bonus: f64,
 }
 
 impl Distances {
+    fn matrix(n: usize, values: Vec<f64>) -> Self {
+        Self { n, values, points: Arc::new([]), metric: Metric::default(), fixed: Arc::new([]), bonus: 0.0 }
+    }
+
     /// The distances by a function of two stops, which is called once for each pair, the smaller index first.
     pub fn of(n: usize, mut between: impl FnMut(usize, usize) -> f64) -> Self {
         let mut values = vec![0.0; n * n];
@@ -83,7 +99,59 @@ impl Distances {
                 (values[i * n + j], values[j * n + i]) = (d, d);
             }
         }
-        Self { n, values }
+        Self::matrix(n, values)
+    }
+
+    /// The distances of so many points that they are computed whenever they are needed.
+    pub fn through(points: &[[f64; 2]], metric: Metric) -> Self {
+        Self { points: points.into(), metric, ..Self::matrix(points.len(), Vec::new()) }
+    }
+
+    /// Has tours go from one stop of each of these pairs straight to the other. What is fixed costs nothing, as in published optima:
+    /// the length of a tour is that of the rest. Only for distances that are kept as a matrix.
+    #[must_use]
+    pub fn fixing(mut self, fixed: &[[usize; 2]]) -> Self {
+        let longest = self.values.iter().copied().fold(0.0, f64::max);
+        for &[a, b] in fixed {
+            (self.values[a * self.n + b], self.values[b * self.n + a]) = (0.0, 0.0);
+            self.bonus = (2.0 * longest * self.n as f64).ceil() + 1.0;
+        }
+        Self { fixed: fixed.into(), ..self }
+    }
+
+    /// The pairs of stops that follow each other in every tour.
+    pub fn fixed(&self) -> &[[usize; 2]] {
+        &self.fixed
+    }
+
+    /// All bonuses: what tours with all fixed ways have too little when their ways are [counted](Self::counted).
+    pub fn bonuses(&self) -> f64 {
+        self.bonus * self.fixed.len() as f64
+    }
+
+    /// How much a way counts in a search: a fixed one less than nothing by more than any tour is long, so that no tour without it is
+    /// shorter.
+    #[inline(never)]
+    pub fn counted(&self, i: usize, j: usize) -> f64 {
+        self.between(i, j) - if self.is_fixed(i, j) { self.bonus } else { 0.0 }
+    }
+
+    fn is_fixed(&self, i: usize, j: usize) -> bool {
+        self.fixed.iter().any(|fixed| *fixed == [i, j] || *fixed == [j, i])
+    }
+
+    /// Whether a tour in this order has all fixed ways.
+    pub fn has_fixed(&self, order: &[usize], closed: bool) -> bool {
+        if self.fixed.is_empty() {
+            return true;
+        }
+        let mut found = 0;
+        let mut last = order.last().filter(|_| closed && order.len() > 2);
+        for stop in order {
+            found += usize::from(last.is_some_and(|&last| self.is_fixed(last, *stop)));
+            last = Some(stop);
+        }
+        found == self.fixed.len()
     }
 
     /// The distances of a matrix, row by row.
@@ -110,7 +178,7 @@ impl Distances {
                 }
             }
         }
-        Ok(Self { n, values })
+        Ok(Self::matrix(n, values))
     }
 
     /// The number of stops.
@@ -126,10 +194,18 @@ impl Distances {
     /// The distance from stop `i` to stop `j`.
     #[inline]
     pub fn between(&self, i: usize, j: usize) -> f64 {
+        if self.values.is_empty() {
+            return self.metric.distance(self.points[i], self.points[j]);
+        }
         self.values[i * self.n + j]
     }
 
-    /// The rows of the matrix.
+    /// The points that the distances are computed from; empty where there is a matrix.
+    pub fn points(&self) -> &Arc<[[f64; 2]]> {
+        &self.points
+    }
+
+    /// The rows of the matrix; none above [`MAX_MATRIX`].
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.values.chunks_exact(self.n.max(1))
     }

@@ -12,7 +12,7 @@ pub fn shortest_tour(distances: &Distances, ends: TourEnds) -> Option<(Vec<usize
     if !(2..=MAX_EXACT_STOPS).contains(&n) {
         return None;
     }
-    let d = |i: usize, j: usize| distances.between(i, j);
+    let d = |i: usize, j: usize| distances.counted(i, j);
     // best[set · n + last]: the shortest way that begins as it must, calls at the stops of the set and ends at `last`.
     let mut best = vec![f64::INFINITY; n << n];
     for first in 0..n {
@@ -44,6 +44,9 @@ pub fn shortest_tour(distances: &Distances, ends: TourEnds) -> Option<(Vec<usize
         });
     }
     order.reverse();
+    if !distances.has_fixed(&order, ends.closes()) {
+        return None;
+    }
     let length = distances.length(&order, ends.closes());
     Some((order, length))
 }

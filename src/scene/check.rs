@@ -15,9 +15,14 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
 
 /// Refuses numbers that are not finite or too large.
 pub(super) fn limited(field: &str, value: f64) -> Result<(), Error> {
+    up_to(field, value, LARGEST)
+}
+
+/// Refuses numbers that are not finite or larger than `most`.
+pub(super) fn up_to(field: &str, value: f64, most: f64) -> Result<(), Error> {
     finite(field, value)?;
-    if value.abs() > LARGEST {
-        return Err(Error::refused(field, value, from_to(-LARGEST, LARGEST)));
+    if value.abs() > most {
+        return Err(Error::refused(field, value, from_to(-most, most)));
     }
     Ok(())
 }

@@ -25,6 +25,6 @@ pub use discs::{DiscsScene, ID as DISCS, MAX_DISCS};
 pub use function::{Formula, Function, FunctionScene, ID as FUNCTION, MAX_DIMENSION};
 pub use grid::{CONTACT, GridScene, ID as GRID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot};
 pub use moving::{Leg, MAX_MOVING, MAX_WAYPOINTS, Motion, Moving};
-pub use tour::{ID as TOUR, MAX_STOPS, TourScene};
+pub use tour::{FARTHEST, ID as TOUR, MAX_STOPS, TourScene};
 
 pub use crate::kernel::{Header, Scene};

@@ -107,7 +107,7 @@ struct Bats {
     #[state(skip)]
     kept: Tour,
     #[state(skip)]
-    places: Vec<u16>,
+    places: Vec<u32>,
     /// The best tour's row, forwards or backwards.
     #[state(skip)]
     mate: Vec<Stop>,

@@ -51,6 +51,7 @@ fn waits() -> Message {
 }
 
 /// The road of a pair of stops.
+#[inline(never)]
 pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
     if item.index >= network.pairs() {
         return None;
@@ -93,6 +94,7 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
 }
 
 /// A stop, and its neighbours in the shortest tour.
+#[inline(never)]
 pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: Item) -> Option<Inspection> {
     let stop = item.index;
     places.get(stop)?;
@@ -119,7 +121,7 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
         [None, None] => message!("tour-called-alone", "Number {k} of the shortest tour, after nothing and before nothing.", k),
     };
     let mut told = Inspection::new(item, title, "called", summary);
-    let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u16, other as u16));
+    let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u32, other as u32));
     let values = [
         quantity(label!("tour-place", "place", "i", "place in the tour"), (place + 1) as f64),
         quantity(label!("tour-from-before", "from", "d_-", "from the stop before"), leg(before)),
@@ -130,6 +132,7 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
 }
 
 /// A tour beside the best: what differs.
+#[inline(never)]
 pub(super) fn tour(problem: &Problem, tour: &Tour, best: &Tour, places: &[[f64; 2]], item: Item) -> Inspection {
     let (own, theirs) = (tour.order(problem), best.order(problem));
     // The direction in which fewer places differ counts, [ANTBAT] (12).

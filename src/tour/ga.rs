@@ -100,7 +100,7 @@ struct Genetic {
     #[state(skip)]
     ranks: Vec<(f64, usize)>,
     #[state(skip)]
-    places: Vec<u16>,
+    places: Vec<u32>,
 }
 
 fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Genetic {

@@ -103,7 +103,7 @@ struct Bats {
     #[state(skip)]
     list: Vec<Swap>,
     #[state(skip)]
-    places: Vec<u16>,
+    places: Vec<u32>,
 }
 
 fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats {

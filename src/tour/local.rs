@@ -5,32 +5,65 @@
 
 use std::{cell::Cell, collections::VecDeque, sync::Arc};
 
-use super::problem::{Problem, Stop, Tour};
-use crate::kernel::{State, rng::Stream};
+use super::{
+    field::{Field, Nearest},
+    problem::{Problem, Stop, Tour},
+};
+use crate::kernel::{Digest, State, rng::Stream};
 
 /// How many neighbours of a stop are tried.
 const NEIGHBOURS: usize = 10;
 /// The longest stretch that is moved as a whole.
 const STRETCH: usize = 3;
 /// A stop has no such place.
-const NONE: u16 = u16::MAX;
+const NONE: usize = u32::MAX as usize;
+/// How a hash has it: as it was when places had sixteen bits.
+const NONE_HASHED: u64 = 0xffff;
+
+/// The place of each stop in a row, or that it has none.
+#[derive(Debug, Clone)]
+struct Places(Vec<u32>);
+
+impl State for Places {
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.0.len() as u64);
+        self.0.iter().for_each(|&place| out.word(if place as usize == NONE { NONE_HASHED } else { place.into() }));
+    }
+
+    fn heap_size(&self) -> usize {
+        self.0.heap_size()
+    }
+}
+
+impl Places {
+    fn none(stops: usize) -> Self {
+        Self(vec![NONE as u32; stops + 1])
+    }
+
+    #[inline]
+    fn of(&self, stop: Stop) -> usize {
+        self.0[stop as usize] as usize
+    }
+
+    #[inline]
+    fn set(&mut self, stop: Stop, place: usize) {
+        self.0[stop as usize] = place as u32;
+    }
+}
 
 /// Each stop's nearest neighbours, the nearest first.
 pub fn neighbours(problem: &Problem) -> Arc<[Vec<Stop>]> {
-    let n = problem.n;
+    let n = problem.n as Stop;
+    if !problem.points().is_empty() {
+        let field = Field::new(problem.points(), &(0..n).collect::<Vec<_>>());
+        return (0..n).map(|stop| field.nearest(stop, NEIGHBOURS)).collect();
+    }
     let nearest = |stop: Stop| {
-        // So few that each finds its place among them at once; of equally near ones the first stays in front.
-        let mut found: Vec<(f64, Stop)> = Vec::with_capacity(NEIGHBOURS + 1);
-        for other in (0..n as Stop).filter(|other| *other != stop) {
-            let d = problem.d(stop, other);
-            if found.len() < NEIGHBOURS || found.last().is_some_and(|last| d < last.0) {
-                found.insert(found.partition_point(|known| known.0 <= d), (d, other));
-                found.truncate(NEIGHBOURS);
-            }
-        }
-        found.into_iter().map(|(_, other)| other).collect()
+        let mut nearest = Nearest::new(NEIGHBOURS);
+        (0..n).filter(|other| *other != stop).for_each(|other| nearest.offer(problem.d(stop, other), other));
+        nearest.stops()
     };
-    (0..n as Stop).map(nearest).collect()
+    (0..n).map(nearest).collect()
 }
 
 /// A move that makes the tour shorter.
@@ -52,8 +85,8 @@ pub struct LocalSearch {
     near: Arc<[Vec<Stop>]>,
     /// Where a stop stands with another behind it, and where it stands behind another. They differ for the ends alone: the
     /// first stop of a closed tour is its head and its tail.
-    left: Vec<u16>,
-    right: Vec<u16>,
+    left: Places,
+    right: Places,
     /// Stops to look at.
     queue: VecDeque<Stop>,
     queued: Vec<bool>,
@@ -71,8 +104,8 @@ impl LocalSearch {
         Self {
             problem: Arc::clone(problem),
             near: neighbours(problem),
-            left: vec![NONE; n + 1],
-            right: vec![NONE; n + 1],
+            left: Places::none(n),
+            right: Places::none(n),
             queue: VecDeque::with_capacity(n + 1),
             queued: vec![false; n + 1],
             least: 0.0,
@@ -85,18 +118,18 @@ impl LocalSearch {
         self.queue.clear();
         self.queued.fill(false);
         self.settle(row, 0, row.len() - 1);
-        self.left[usize::from(row[row.len() - 1])] = NONE;
-        self.right[usize::from(row[0])] = NONE;
-        self.left[usize::from(row[0])] = 0;
-        self.right[usize::from(row[row.len() - 1])] = (row.len() - 1) as u16;
+        self.left.set(row[row.len() - 1], NONE);
+        self.right.set(row[0], NONE);
+        self.left.set(row[0], 0);
+        self.right.set(row[row.len() - 1], row.len() - 1);
         self.least = 1e-10 * self.problem.length(row) / row.len() as f64;
     }
 
     /// Notes where the stops at some places stand; the ends keep theirs.
     fn settle(&mut self, row: &[Stop], from: usize, to: usize) {
         for (place, &stop) in (from..).zip(&row[from..=to]) {
-            let stop = usize::from(stop);
-            (self.left[stop], self.right[stop]) = (place as u16, place as u16);
+            self.left.set(stop, place);
+            self.right.set(stop, place);
         }
     }
 
@@ -111,7 +144,7 @@ impl LocalSearch {
 
     /// A stop near which something has changed: it is looked at again.
     pub fn touch(&mut self, stop: Stop) {
-        let i = usize::from(stop);
+        let i = stop as usize;
         if i < self.problem.n && !self.queued[i] {
             self.queued[i] = true;
             self.queue.push_back(stop);
@@ -126,7 +159,7 @@ impl LocalSearch {
                 return Some(gain);
             }
             self.queue.pop_front();
-            self.queued[usize::from(stop)] = false;
+            self.queued[stop as usize] = false;
         }
         None
     }
@@ -142,8 +175,8 @@ impl LocalSearch {
 
     /// Takes over what is known of another row, without allocating.
     pub fn copy_from(&mut self, other: &Self) {
-        self.left.copy_from_slice(&other.left);
-        self.right.copy_from_slice(&other.right);
+        self.left.0.copy_from_slice(&other.left.0);
+        self.right.0.copy_from_slice(&other.right.0);
     }
 
     /// Every stop is to be looked at.
@@ -166,9 +199,9 @@ impl LocalSearch {
     /// The first 2-opt move that brings a near neighbour behind a stop, or before it.
     fn reversal(&self, row: &[Stop], a: Stop) -> Option<(Move, f64)> {
         let d = |a, b| self.problem.d(a, b);
-        let near = &self.near[usize::from(a)];
-        let p = usize::from(self.left[usize::from(a)]);
-        if p != usize::from(NONE) {
+        let near = &self.near[a as usize];
+        let p = self.left.of(a);
+        if p != NONE {
             let b = row[p + 1];
             let old = d(a, b);
             for &c in near {
@@ -176,8 +209,8 @@ impl LocalSearch {
                 if nearer <= self.least {
                     break;
                 }
-                let q = usize::from(self.left[usize::from(c)]);
-                if q == usize::from(NONE) {
+                let q = self.left.of(c);
+                if q == NONE {
                     continue;
                 }
                 self.count();
@@ -187,8 +220,8 @@ impl LocalSearch {
                 }
             }
         }
-        let p = usize::from(self.right[usize::from(a)]);
-        if p != usize::from(NONE) {
+        let p = self.right.of(a);
+        if p != NONE {
             let b = row[p - 1];
             let old = d(a, b);
             for &c in near {
@@ -196,8 +229,8 @@ impl LocalSearch {
                 if nearer <= self.least {
                     break;
                 }
-                let q = usize::from(self.right[usize::from(c)]);
-                if q == usize::from(NONE) {
+                let q = self.right.of(c);
+                if q == NONE {
                     continue;
                 }
                 self.count();
@@ -214,7 +247,7 @@ impl LocalSearch {
     fn carry(&self, row: &[Stop], a: Stop) -> Option<(Move, f64)> {
         let d = |a, b| self.problem.d(a, b);
         let m = row.len() - 2;
-        let p = usize::from(self.left[usize::from(a)]);
+        let p = self.left.of(a);
         if !(1..=m).contains(&p) || row[p] != a {
             return None; // an end stays
         }
@@ -222,22 +255,22 @@ impl LocalSearch {
             let (before, behind) = (row[low - 1], row[high + 1]);
             let z = if backward { row[low] } else { row[high] };
             let taken = d(before, row[low]) + d(row[high], behind) - d(before, behind);
-            for &c in &self.near[usize::from(a)] {
+            for &c in &self.near[a as usize] {
                 let nearer = taken - d(a, c);
                 if nearer <= self.least {
                     break;
                 }
                 // Between c and the stop behind it, or between the stop before c and c: a is next to c.
-                let q = usize::from(self.left[usize::from(c)]);
-                if q != usize::from(NONE) && !(low - 1..=high).contains(&q) {
+                let q = self.left.of(c);
+                if q != NONE && !(low - 1..=high).contains(&q) {
                     self.count();
                     let gain = nearer + d(c, row[q + 1]) - d(z, row[q + 1]);
                     if gain > self.least {
                         return Some((Move::Carry(low, high, q, backward), gain));
                     }
                 }
-                let q = usize::from(self.right[usize::from(c)]);
-                if q != usize::from(NONE) && !(low..=high + 1).contains(&q) {
+                let q = self.right.of(c);
+                if q != NONE && !(low..=high + 1).contains(&q) {
                     self.count();
                     let gain = nearer + d(row[q - 1], c) - d(z, row[q - 1]);
                     if gain > self.least {
@@ -255,19 +288,19 @@ impl LocalSearch {
         let d = |a, b| self.problem.d(a, b);
         let m = row.len() - 2;
         for after in [true, false] {
-            let q = usize::from(if after { self.left[usize::from(c)] } else { self.right[usize::from(c)] });
-            if q == usize::from(NONE) {
+            let q = if after { self.left.of(c) } else { self.right.of(c) };
+            if q == NONE {
                 continue;
             }
             // The stretch goes behind the place `gap`.
             let (other, gap) = if after { (row[q + 1], q) } else { (row[q - 1], q - 1) };
             let old = d(c, other);
-            for &a in &self.near[usize::from(c)] {
+            for &a in &self.near[c as usize] {
                 let nearer = old - d(c, a);
                 if nearer <= self.least {
                     break;
                 }
-                let p = usize::from(self.left[usize::from(a)]);
+                let p = self.left.of(a);
                 if !(1..=m).contains(&p) || row[p] != a {
                     continue;
                 }
@@ -383,7 +416,7 @@ mod tests {
                     length = now;
                     assert!(round.allows(&tour.order(&problem), n));
                     let m = tour.len();
-                    assert!((1..=m).all(|place| usize::from(local.left[usize::from(tour.row[place])]) == place));
+                    assert!((1..=m).all(|place| local.left.of(tour.row[place]) == place));
                 }
                 if rng.unit() < 0.2 {
                     break;

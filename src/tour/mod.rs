@@ -60,6 +60,7 @@
 pub mod bat;
 mod draw;
 mod explain;
+mod field;
 pub mod ga;
 pub mod held_karp;
 pub mod hybrid_bat;

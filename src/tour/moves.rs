@@ -86,32 +86,32 @@ pub fn placed(row: &[Stop]) -> impl Iterator<Item = (usize, Stop)> + '_ {
 
 /// Partially matched crossover (Goldberg and Lingle 1985): `child`, a copy of one parent, takes over the other's stops at
 /// `i` to `j`; what stood there goes where they came from. `places` is scratch space, a place for each stop.
-pub fn pmx(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), places: &mut [u16]) {
+pub fn pmx(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), places: &mut [u32]) {
     for (place, stop) in placed(child) {
-        places[usize::from(stop)] = place as u16;
+        places[stop as usize] = place as u32;
     }
     for k in i..=j {
         let (wanted, there) = (other[k], child[k]);
-        let from = usize::from(places[usize::from(wanted)]);
+        let from = places[wanted as usize] as usize;
         child.swap(k, from);
-        places[usize::from(there)] = from as u16;
-        places[usize::from(wanted)] = k as u16;
+        places[there as usize] = from as u32;
+        places[wanted as usize] = k as u32;
     }
 }
 
 /// Order crossover (Davis 1985): `child`, a copy of one parent, keeps its stops at `i` to `j`; the others follow behind
 /// them, round the end, in the order in which the other parent has them from there on. `kept` is scratch space, a place
 /// for each stop.
-pub fn ox(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), kept: &mut [u16]) {
+pub fn ox(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), kept: &mut [u32]) {
     let m = child.len() - 2;
     for (place, stop) in placed(child) {
-        kept[usize::from(stop)] = u16::from(i <= place && place <= j);
+        kept[stop as usize] = u32::from(i <= place && place <= j);
     }
     let next = |place: usize| if place == m { 1 } else { place + 1 };
     let (mut to, mut from) = (next(j), next(j));
     for _ in 0..m {
         let stop = other[from];
-        if kept[usize::from(stop)] == 0 {
+        if kept[stop as usize] == 0 {
             child[to] = stop;
             to = next(to);
         }

@@ -1,6 +1,9 @@
 //! The nearest neighbour's tour.
 
-use super::problem::{Problem, Stop, Tour};
+use super::{
+    field::Field,
+    problem::{Problem, Stop, Tour},
+};
 use crate::kernel::rng::Stream;
 
 /// The tour that goes on to the nearest stop not called at yet (Rosenkrantz et al. 1977), from a random one.
@@ -28,8 +31,15 @@ pub fn nearest_neighbour(problem: &Problem, rng: &mut Stream) -> Tour {
     tour
 }
 
-/// Orders stops after the first, each by its distance from the one before.
+/// Orders stops after the first, each by its distance from the one before; by the straight line where distances are computed.
 fn chain(problem: &Problem, row: &mut [Stop]) {
+    if !problem.points().is_empty() {
+        let mut field = Field::new(problem.points(), &row[1..]);
+        for k in 1..row.len() {
+            row[k] = field.take_nearest(row[k - 1]).unwrap_or(row[k]);
+        }
+        return;
+    }
     for k in 1..row.len() {
         let from = row[k - 1];
         let nearest = (k..row.len()).min_by(|&i, &j| problem.d(from, row[i]).total_cmp(&problem.d(from, row[j])).then(row[i].cmp(&row[j])));

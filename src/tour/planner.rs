@@ -91,8 +91,10 @@ pub(super) fn check_members(start: &Start, tours: usize) -> Result<(), Error> {
     limits::check_members(POPULATION.name(), start.parameters[POPULATION], NUMBERS + tours * Tour::bytes(stops))
 }
 
-impl Planner for Tours {
-    fn advance(&mut self) -> Progress {
+impl Tours {
+    /// A step, or a part of one. Its code is there once, for runs and for what is supposed.
+    #[inline(never)]
+    fn go_on(&mut self) -> Progress {
         let roads = self.road_steps();
         if self.iteration < roads {
             match &mut self.search {
@@ -114,6 +116,12 @@ impl Planner for Tours {
             }
         }
         progress
+    }
+}
+
+impl Planner for Tours {
+    fn advance(&mut self) -> Progress {
+        self.go_on()
     }
 
     fn evaluations(&self) -> u64 {
@@ -193,7 +201,7 @@ impl Explain for Tours {
         } else {
             search.suppose(item.index, supposition);
         }
-        while next.advance() == Progress::Partly {}
+        while next.go_on() == Progress::Partly {}
         let mut told = next.inspect(item)?;
         told.marks.iter_mut().filter(|mark| mark.layer == layers::WAY.key).for_each(|mark| mark.layer = layers::AFTER.key);
         Some(told)

@@ -3,6 +3,9 @@
 //! Every kind of tour is a row of stops between a head and a tail that stay where they are. A closed tour leaves the first
 //! stop and comes back to it; an open one comes from nowhere, or leads there, at no cost. So a move need not know what
 //! kind of tour it changes.
+//!
+//! A fixed way between two stops counts as shorter than nothing by more than any tour is long, so that none without it is better; the
+//! length of a tour that has all of them is that of its other ways.
 
 use crate::{
     exact::Distances,
@@ -10,7 +13,7 @@ use crate::{
 };
 
 /// A stop's number; the one after the last is nowhere.
-pub type Stop = u16;
+pub type Stop = u32;
 
 /// Distances between stops, and what the ends of a tour are.
 #[derive(Debug, Clone, PartialEq, State)]
@@ -21,28 +24,57 @@ pub struct Problem {
     /// What the ends are.
     #[state(shared)]
     pub round: TourEnds,
-    /// Row by row, nowhere last.
+    /// Row by row, nowhere last; empty where distances are computed. A fixed way counts less by a bonus.
     #[state(skip)]
     d: Vec<f64>,
+    /// What they are computed by.
+    #[state(shared)]
+    distances: Option<Distances>,
+    /// All bonuses: what a tour with all fixed ways has too little.
+    #[state(skip)]
+    bonuses: f64,
 }
 
 impl Problem {
     /// Tours with such ends by these distances.
-    pub fn new(distances: &Distances, round: TourEnds) -> Self {
-        let n = distances.len();
-        let mut d = Vec::with_capacity((n + 1) * (n + 1));
-        for row in distances.rows() {
-            d.extend_from_slice(row);
-            d.push(0.0);
+    pub fn new(given: &Distances, round: TourEnds) -> Self {
+        let n = given.len();
+        let mut d = Vec::new();
+        let distances = (!given.points().is_empty()).then(|| given.clone());
+        if distances.is_none() {
+            d.reserve_exact((n + 1) * (n + 1));
+            for row in given.rows() {
+                d.extend_from_slice(row);
+                d.push(0.0);
+            }
+            d.resize((n + 1) * (n + 1), 0.0);
         }
-        d.resize((n + 1) * (n + 1), 0.0);
-        Self { n, round, d }
+        for &[a, b] in given.fixed() {
+            d[a * (n + 1) + b] = given.counted(a, b);
+            d[b * (n + 1) + a] = given.counted(b, a);
+        }
+        Self { n, round, d, distances, bonuses: given.bonuses() }
     }
 
     /// From one stop to another; 0 from and to nowhere.
     #[inline]
     pub fn d(&self, a: Stop, b: Stop) -> f64 {
-        self.d[usize::from(a) * (self.n + 1) + usize::from(b)]
+        if self.d.is_empty() {
+            return self.computed(a, b);
+        }
+        self.d[a as usize * (self.n + 1) + b as usize]
+    }
+
+    fn computed(&self, a: Stop, b: Stop) -> f64 {
+        match &self.distances {
+            Some(distances) if a.max(b) < self.nowhere() => distances.between(a as usize, b as usize),
+            _ => 0.0,
+        }
+    }
+
+    /// The points of so many stops that distances are computed; empty where they are kept.
+    pub(super) fn points(&self) -> &[[f64; 2]] {
+        self.distances.as_ref().map_or(&[], |distances| distances.points())
     }
 
     fn nowhere(&self) -> Stop {
@@ -80,7 +112,7 @@ impl Problem {
 
     /// The length of a row with its head and tail, [ANTBAT](crate#papers) (6).
     pub fn length(&self, row: &[Stop]) -> f64 {
-        row.windows(2).map(|w| self.d(w[0], w[1])).sum()
+        row.windows(2).map(|w| self.d(w[0], w[1])).sum::<f64>() + self.bonuses
     }
 }
 
@@ -137,7 +169,7 @@ impl Tour {
     /// The stops' numbers in order, the fixed ends among them.
     pub fn order(&self, problem: &Problem) -> Vec<usize> {
         let end = if problem.round == TourEnds::Closed { self.row.len() - 1 } else { self.row.len() };
-        self.row[..end].iter().map(|&stop| usize::from(stop)).filter(|&stop| stop < problem.n).collect()
+        self.row[..end].iter().map(|&stop| stop as usize).filter(|&stop| stop < problem.n).collect()
     }
 }
 

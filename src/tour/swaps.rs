@@ -7,31 +7,31 @@ use super::{moves, problem::Stop};
 use crate::kernel::rng::Stream;
 
 /// The two places whose stops are exchanged.
-pub type Swap = [u16; 2];
+pub type Swap = [u32; 2];
 
 /// Carries out the swaps in their order: `row` ⊕ swaps.
 pub fn apply(row: &mut [Stop], swaps: &[Swap]) {
     for &[i, j] in swaps {
-        row.swap(i.into(), j.into());
+        row.swap(i as usize, j as usize);
     }
 }
 
 /// Turns `row` into `to` (read `backwards`, if so) and adds the swaps that do it: `to` ⊖ `row`, the basic swap sequence.
 /// From the first place to the last, the stop that belongs there is fetched; so there is never more than one swap for
 /// each place but the last. `places` is scratch space, a place for each stop.
-pub fn difference(row: &mut [Stop], to: &[Stop], backwards: bool, places: &mut [u16], swaps: &mut Vec<Swap>) {
+pub fn difference(row: &mut [Stop], to: &[Stop], backwards: bool, places: &mut [u32], swaps: &mut Vec<Swap>) {
     let m = row.len() - 2;
     for (place, stop) in moves::placed(row) {
-        places[usize::from(stop)] = place as u16;
+        places[stop as usize] = place as u32;
     }
     for k in 1..=m {
         let wanted = if backwards { to[m + 1 - k] } else { to[k] };
         let there = row[k];
         if wanted != there {
-            let from = places[usize::from(wanted)];
-            swaps.push([k as u16, from]);
-            row.swap(k, from.into());
-            places[usize::from(there)] = from;
+            let from = places[wanted as usize];
+            swaps.push([k as u32, from]);
+            row.swap(k, from as usize);
+            places[there as usize] = from;
         }
     }
 }
@@ -51,7 +51,7 @@ pub fn thin(swaps: &mut Vec<Swap>, first: usize, share: f64, rng: &mut Stream) {
 /// The swaps that do to a reversed row of `m` stops what these do to the row.
 pub fn mirror(swaps: &mut [Swap], m: usize) {
     for swap in swaps {
-        *swap = swap.map(|place| m as u16 + 1 - place);
+        *swap = swap.map(|place| m as u32 + 1 - place);
     }
 }
 
@@ -117,7 +117,7 @@ mod tests {
             apply(&mut part, &swaps);
             assert_eq!((part[0], part[m + 1]), (0, m as Stop + 1));
             part.sort_unstable();
-            assert!(part.iter().enumerate().all(|(k, &stop)| usize::from(stop) == k));
+            assert!(part.iter().enumerate().all(|(k, &stop)| stop as usize == k));
         }
     }
 

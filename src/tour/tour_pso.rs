@@ -83,7 +83,7 @@ struct Swarm {
     #[state(skip)]
     list: Vec<Swap>,
     #[state(skip)]
-    places: Vec<u16>,
+    places: Vec<u32>,
 }
 
 fn begin(problem: &Arc<Problem>, settings: &Parameters, rng: Stream) -> Swarm {

@@ -104,13 +104,13 @@ impl Tours {
 
     /// The way of a tour, by road if there are any, else straight.
     pub(super) fn path(&self, problem: &Problem, tour: &Tour) -> Vec<[f64; 2]> {
-        let stops: Vec<Stop> = tour.row.iter().copied().filter(|&stop| usize::from(stop) < problem.n).collect();
+        let stops: Vec<Stop> = tour.row.iter().copied().filter(|&stop| (stop as usize) < problem.n).collect();
         let Some(network) = &self.network else {
-            return stops.iter().map(|&stop| self.places[usize::from(stop)]).collect();
+            return stops.iter().map(|&stop| self.places[stop as usize]).collect();
         };
-        let mut path = vec![self.places[usize::from(stops[0])]];
+        let mut path = vec![self.places[stops[0] as usize]];
         for leg in stops.windows(2) {
-            let way = network.way(usize::from(leg[0]), usize::from(leg[1]));
+            let way = network.way(leg[0] as usize, leg[1] as usize);
             path.extend_from_slice(way.get(1..).unwrap_or_default());
         }
         path

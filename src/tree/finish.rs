@@ -53,8 +53,22 @@ pub(super) struct Finished<const N: usize> {
     pub(super) path: Vec<[f64; N]>,
 }
 
-/// Shortens, fits and smooths a path whose pieces are free.
+/// As many coordinates as a path may have: those of an arm's joints.
+const MOST: usize = 6;
+
+/// Shortens, fits and smooths a path whose pieces are free. It is done with as many coordinates as there may be, so that its code is
+/// there once: those that are 0 change no bit of the others.
 pub(super) fn finish<const N: usize>(raw: &[[f64; N]], how: &Finish, free: Free<N>) -> Finished<N> {
+    const { assert!(N <= MOST) };
+    let drop = |point: &[f64; MOST]| std::array::from_fn(|axis| point[axis]);
+    let lift = |point: &[f64; N]| std::array::from_fn(|axis| point.get(axis).copied().unwrap_or(0.0));
+    let raw: Vec<[f64; MOST]> = raw.iter().map(lift).collect();
+    let Finished { short, path } = finished(&raw, how, &|a, b| free(&drop(a), &drop(b)));
+    Finished { short: short.iter().map(drop).collect(), path: path.iter().map(drop).collect() }
+}
+
+#[inline(never)]
+fn finished(raw: &[[f64; MOST]], how: &Finish, free: Free<MOST>) -> Finished<MOST> {
     let short = if how.shorten { shortened(raw, FINE * how.step, free) } else { raw.to_vec() };
     let fit = how.fit.map_or_else(|| short.clone(), |tolerance| fitted(&short, tolerance, how.step, free));
     let path = how.smooth.map_or_else(|| fit.clone(), |blend| smooth(&fit, blend, free));

@@ -1087,6 +1087,8 @@ export type TourScene = {
   matrix?: Array<Array<number>>
   /** Whether a tour returns to its first stop. */
   closed?: boolean
+  /** Pairs of stops that follow each other in every tour, at no cost; only of at most `MAX_MATRIX` stops. */
+  fixed?: Array<[number, number]>
 }
 
 /** What a run came to. */

@@ -6,7 +6,7 @@ use forage::{
     exact::Metric,
     kernel::{Error, allowed::nothing, digits::Digits},
     message,
-    scene::{LARGEST, MAX_STOPS, Scene, TourScene, tour},
+    scene::{FARTHEST, MAX_STOPS, Scene, TourScene, tour},
 };
 
 use super::{
@@ -53,8 +53,8 @@ pub(super) fn import(file: &NamedFile) -> Result<Imported, Error> {
         let mut point = [0.0; 2];
         for (axis, c) in point.iter_mut().enumerate() {
             let word = fields[columns[axis]];
-            let expected = || for_number(["x", "y"][axis], -LARGEST, LARGEST);
-            *c = number_up_to(LARGEST, word).ok_or_else(|| file.unexpected(line, word, &expected()))?;
+            let expected = || for_number(["x", "y"][axis], -FARTHEST, FARTHEST);
+            *c = number_up_to(FARTHEST, word).ok_or_else(|| file.unexpected(line, word, &expected()))?;
         }
         if points.len() == MAX_STOPS {
             return Err(file.wrong(line, &message!("files-most-stops", "more than {most} stops", most = MAX_STOPS)));
@@ -148,11 +148,11 @@ mod tests {
             ("a,b\n1,2\n", "line 1: found `a,b`, expected x and y, or names of columns, one of them x and one y"),
             ("x,y,x\n1,2,3\n", "line 1: found `x,y,x`"),
             ("x,y\n1,2\n3\n", "line 3: found 1 fields, expected 2"),
-            ("x,y\n1,2\n3,\n", "line 3: found ``, expected for y a number from -1000000 to 1000000"),
-            ("x,y\n1,2\n1e7,3\n", "line 3: found `1e7`, expected for x"),
+            ("x,y\n1,2\n3,\n", "line 3: found ``, expected for y a number from -1000000000 to 1000000000"),
+            ("x,y\n1,2\n1e10,3\n", "line 3: found `1e10`, expected for x"),
             ("x;y\n1,5;2\n", "line 2: found `1,5`, expected for x"),
             ("x,y\n1,inf\n", "line 2: found `inf`, expected for y"),
-            (&"1,2\n".repeat(2001), "line 2001: more than 2000 stops"),
+            (&"1,2\n".repeat(100_001), "line 100001: more than 100000 stops"),
         ] {
             let error = table(text).unwrap_err();
             assert_eq!(error.field(), "a.csv");

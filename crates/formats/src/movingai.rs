@@ -152,7 +152,7 @@ pub fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<N
     let mut lines = file.lines()?;
     lines.next();
     for (line, found) in lines.filter(|(_, line)| !line.is_empty()) {
-        let [bucket, map, width, height, ax, ay, bx, by, length] = fields(file, line, found)?;
+        let [_, map, width, height, ax, ay, bx, by, length] = fields(file, line, found)?;
         if map != named {
             return Err(file.unexpected(line, map, &message!("files-one-map", "{map}, as above: one map at a time", map = named)));
         }
@@ -178,9 +178,7 @@ pub fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<N
         let length = json::number(length)
             .filter(|length| length.is_finite() && *length >= 0.0)
             .ok_or_else(|| file.unexpected(line, length, &message!("files-length", "a length in cells")))?;
-        // Some files number them, others name them.
-        let bucket = bucket.parse().unwrap_or((length / 4.0) as u64);
-        problems.push((line, Problem { start, goal, length, bucket }));
+        problems.push((line, Problem { start, goal, length }));
     }
     Ok((problems, named))
 }

@@ -22,10 +22,13 @@ pub struct Problem {
     pub goal: [f64; 2],
     /// The optimal length that the file states, in cells.
     pub length: f64,
-    /// In which of the file's buckets it is, by its length.
-    #[serde(skip)]
-    #[cfg_attr(feature = "types", ts(skip))]
-    pub bucket: u64,
+}
+
+impl Problem {
+    /// Which of the format's buckets it is in: each is four cells long.
+    pub fn bucket(&self) -> u64 {
+        (self.length / 4.0) as u64
+    }
 }
 
 /// A scene that was read from another format.

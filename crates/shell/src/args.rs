@@ -158,6 +158,9 @@ pub(super) enum Suite {
     /// The problems of MovingAI's .scen files in a folder, against the optima that the files give
     #[command(after_help = examples::BENCH_MOVINGAI)]
     Movingai(MovingaiArgs),
+    /// Tours through the instances of TSPLIB in a folder, against the published optima
+    #[command(after_help = examples::BENCH_TSPLIB)]
+    Tsplib(TsplibArgs),
 }
 
 #[derive(Args)]
@@ -186,6 +189,24 @@ pub(super) struct MovingaiArgs {
     /// Take only the first N problems of each bucket of a file.
     #[arg(long, value_name = "N", value_parser = many, allow_negative_numbers = true)]
     pub(super) per_bucket: Option<NonZeroUsize>,
+    #[command(flatten)]
+    pub(super) common: SuiteArgs,
+}
+
+#[derive(Args)]
+pub(super) struct TsplibArgs {
+    /// The folder with .tsp files, with all folders in it.
+    #[arg(value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(super) folder: PathBuf,
+    /// Take only instances with at most N stops.
+    #[arg(long, value_name = "N", value_parser = many, allow_negative_numbers = true)]
+    pub(super) largest: Option<NonZeroUsize>,
+    /// Evaluations for each stop: tours, or moves of one, that are measured.
+    #[arg(long, value_name = "N", default_value_t = forage_study::bench::tsplib::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub(super) budget: u64,
+    /// How often each instance is toured, with the seeds 1 to N.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000))]
+    pub(super) runs: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
 }

@@ -15,6 +15,7 @@ use forage_study::{
     bench::{
         Contender, bbob, movingai,
         suite::{self, Suite},
+        tsplib,
     },
     runner::{self, Control, Job},
     sweep::Part,
@@ -41,6 +42,11 @@ pub(super) fn bench(args: &BenchArgs) -> Outcome {
         args::Suite::Bbob(args) => conduct(&bbob_plan(args)?, &args.common),
         args::Suite::Movingai(args) => {
             let plan = movingai::Plan::read(&args.folder, args.per_bucket.map(usize::from))?;
+            conduct(&plan, &args.common)
+        }
+        args::Suite::Tsplib(args) => {
+            let largest = args.largest.map(usize::from);
+            let plan = tsplib::Plan::read(registry(), &args.folder, largest, args.budget, args.runs)?;
             conduct(&plan, &args.common)
         }
     }

@@ -6,12 +6,12 @@ use crate::{
     kernel::{rng::Stream, words},
     math::clamp,
     params::{Choice, Param, ParamValue, Parameters},
-    scene::{MAX_STOPS, TOUR, TourScene},
+    scene::{TOUR, TourScene},
 };
 
 impl ParamValue for Metric {}
 
-const COUNT: Param<u64> = Param::integer("stops", "", "Stops", [2, MAX_STOPS as u64, 52], "How many.").slider(5.0, 300.0, true);
+const COUNT: Param<u64> = Param::integer("stops", "", "Stops", [2, 2000, 52], "How many.").slider(5.0, 300.0, true);
 const SIDE: Param<u64> =
     Param::integer("side", "", "Side", [10, 1_000_000, 1000], "Coordinates go from 0 to this.").slider(100.0, 10000.0, true);
 const CLUSTERS: Param<u64> =

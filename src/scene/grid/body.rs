@@ -171,6 +171,7 @@ impl GridScene {
     }
 
     /// The same grid with other ends. What follows from the cells is shared: it is made once for all.
+    #[must_use]
     pub fn with_ends(&self, [start, goal]: [[f64; 2]; 2]) -> Self {
         let derived = Derived { field: self.derived.field.clone(), cells: self.derived.cells.clone() };
         Self { start: Some(start), goal: Some(goal), derived, ..self.clone() }

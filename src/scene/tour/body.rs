@@ -5,18 +5,20 @@ use std::sync::{Arc, OnceLock};
 use serde_json::Value;
 
 use crate::{
-    exact::{Distances, Metric, shortest_tour},
+    exact::{Distances, MAX_MATRIX, Metric, shortest_tour},
     geometry::Bounds,
-    kernel::{Error, Exact, SceneKindId, Solution, TourEnds, Verdict, error::list_of, fields::shown},
+    kernel::{Error, Exact, Message, SceneKindId, Solution, TourEnds, Verdict, error::list_of, fields::shown},
     math, message,
-    scene::check::coordinate,
+    scene::check::up_to,
 };
 
 /// The id of the kind in scene files.
 pub const ID: SceneKindId = SceneKindId("tour");
 
 /// The largest number of stops of a tour.
-pub const MAX_STOPS: usize = 2000;
+pub const MAX_STOPS: usize = 100_000;
+/// The largest coordinate of a stop: lengths of tours keep their digits.
+pub const FARTHEST: f64 = 1e9;
 
 /// A scene of stops to visit.
 #[derive(Debug, Clone)]
@@ -34,25 +36,36 @@ pub struct TourScene {
     /// Whether a tour returns to its first stop.
     #[cfg_attr(feature = "types", ts(optional, as = "Option<bool>"))]
     pub closed: bool,
+    /// Pairs of stops that follow each other in every tour, at no cost; only of at most [`MAX_MATRIX`] stops.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<[usize; 2]>>"))]
+    pub fixed: Vec<[usize; 2]>,
     #[cfg_attr(feature = "types", ts(skip))]
     derived: OnceLock<Arc<Distances>>,
 }
 
 impl PartialEq for TourScene {
     fn eq(&self, other: &Self) -> bool {
-        self.points == other.points && self.metric == other.metric && self.matrix == other.matrix && self.closed == other.closed
+        let key = |s: &Self| (s.metric, s.closed);
+        key(self) == key(other) && self.points == other.points && self.matrix == other.matrix && self.fixed == other.fixed
     }
 }
 
 impl TourScene {
     /// Closed tours through points.
     pub fn through(points: Vec<[f64; 2]>, metric: Metric) -> Self {
-        Self { points, metric, matrix: None, closed: true, derived: OnceLock::new() }
+        Self { points, metric, matrix: None, closed: true, fixed: Vec::new(), derived: OnceLock::new() }
     }
 
     /// Closed tours by given distances; `points` are for pictures, and may be empty.
     pub fn by(matrix: Distances, points: Vec<[f64; 2]>) -> Self {
-        Self { points, metric: Metric::default(), matrix: Some(Arc::new(matrix)), closed: true, derived: OnceLock::new() }
+        Self {
+            points,
+            metric: Metric::default(),
+            matrix: Some(Arc::new(matrix)),
+            closed: true,
+            fixed: Vec::new(),
+            derived: OnceLock::new(),
+        }
     }
 
     /// The number of stops.
@@ -65,13 +78,21 @@ impl TourScene {
         self.len() == 0
     }
 
-    /// The distances of all stops.
+    /// The distances of all stops, with the fixed ways.
     pub fn distances(&self) -> &Arc<Distances> {
         let computed = || {
-            self.derived
-                .get_or_init(|| Arc::new(Distances::of(self.points.len(), |i, j| self.metric.distance(self.points[i], self.points[j]))))
+            self.derived.get_or_init(|| {
+                let between = |i: usize, j: usize| match &self.matrix {
+                    Some(matrix) => matrix.between(i, j),
+                    None => self.metric.distance(self.points[i], self.points[j]),
+                };
+                Arc::new(match self.len() {
+                    n if n > MAX_MATRIX => Distances::through(&self.points, self.metric),
+                    n => Distances::of(n, between).fixing(&self.fixed),
+                })
+            })
         };
-        self.matrix.as_ref().unwrap_or_else(computed)
+        self.matrix.as_ref().filter(|_| self.fixed.is_empty()).unwrap_or_else(computed)
     }
 
     /// The position at which each stop is drawn; stops without positions are placed evenly on a circle.
@@ -99,10 +120,29 @@ impl TourScene {
             let allowed = message!("scene-tour-points", "left out, or {n}: a point for each row", n);
             return Err(Error::refused("points", list_of(self.points.len()), allowed));
         }
-        for (i, &point) in self.points.iter().enumerate() {
-            (0..2).try_for_each(|axis| coordinate(&format!("points[{i}]"), point, axis))?;
+        let fits = |c: &f64| c.abs() <= FARTHEST;
+        if let Some(at) = self.points.iter().flatten().position(|c| !fits(c)) {
+            return up_to(&format!("points[{}][{}]", at / 2, at % 2), self.points[at / 2][at % 2], FARTHEST);
         }
+        self.check_fixed()?;
         stored.map_or(Ok(()), |stored| self.check_stored(stored))
+    }
+
+    /// Fixed ways must be of different stops, and must not meet in a stop with a third one, nor go round.
+    fn check_fixed(&self) -> Result<(), Error> {
+        const INSIDE: usize = usize::MAX;
+        // From each end of a chain of fixed ways its other end; a stop alone is both.
+        let mut other: Vec<usize> = (0..self.len().min(MAX_MATRIX)).collect();
+        for (i, &[a, b]) in self.fixed.iter().enumerate() {
+            match (other.get(a), other.get(b)) {
+                (Some(&x), Some(&y)) if x != INSIDE && y != INSIDE && x != b => {
+                    (other[a], other[b]) = (INSIDE, INSIDE);
+                    (other[x], other[y]) = (y, x);
+                }
+                _ => return Err(Error::refused(format!("fixed[{i}]"), list_of(2), fixed_ways())),
+            }
+        }
+        Ok(())
     }
 
     /// A stored optimum must be a tour, and as long as it says.
@@ -129,6 +169,9 @@ impl TourScene {
             let free = stop.and_then(|stop| called.get_mut(stop)).filter(|called| !**called);
             *free.ok_or_else(|| wrong(&format!("exact.order[{i}]"), item))? = true;
             stops.extend(stop);
+        }
+        if !self.distances().has_fixed(&stops, self.closed) {
+            return Err(Error::refused("exact.order", list_of(stops.len()), fixed_ways()));
         }
         let measured = self.distances().length(&stops, self.closed);
         // Of unrounded distances the last digits may have been added in another order.
@@ -171,7 +214,7 @@ impl TourScene {
             .and_then(Value::as_array)
             .map(|order| order.iter().map(|stop| stop.as_f64().map_or(usize::MAX, |stop| stop as usize)).collect());
         // What the file claims counts only as far as it can be checked: an order has the length that it has.
-        match order.filter(|order| ends.allows(order, self.len())) {
+        match order.filter(|order| ends.allows(order, self.len()) && self.distances().has_fixed(order, ends.closes())) {
             Some(order) => Some(Exact {
                 length: self.distances().length(&order, ends.closes()),
                 path: path(&order),
@@ -187,10 +230,20 @@ impl TourScene {
         let Solution::Tour { order, ends, .. } = solution else {
             return Verdict { length: None, feasible: true, clearance: None };
         };
-        let feasible = ends.allows(order, self.len());
+        let feasible = ends.allows(order, self.len()) && self.distances().has_fixed(order, ends.closes());
         let length = feasible.then(|| self.distances().length(order, ends.closes()));
         Verdict { length, feasible, clearance: None }
     }
+}
+
+/// What is allowed of fixed ways, and of an order in view of them.
+#[cold]
+pub(super) fn fixed_ways() -> Message {
+    message!(
+        "scene-fixed",
+        "two different stops, of up to {most}, that follow each other in every tour: at most two fixed ways meet in a stop, and they do not go round",
+        most = MAX_MATRIX
+    )
 }
 
 #[cfg(test)]

@@ -4,5 +4,5 @@ mod body;
 mod kind;
 mod read;
 
-pub use body::{ID, MAX_STOPS, TourScene};
+pub use body::{FARTHEST, ID, MAX_STOPS, TourScene};
 pub use kind::KIND;

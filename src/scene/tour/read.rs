@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use crate::{
-    exact::{Distances, Metric},
+    exact::{Distances, MAX_MATRIX, Metric},
     kernel::{
         Error,
         error::list_of,
@@ -13,7 +13,7 @@ use crate::{
     scene::check::this_field,
 };
 
-use super::body::{MAX_STOPS, TourScene};
+use super::body::TourScene;
 
 /// Its fields, in the order in which they are written.
 pub(super) fn write(tour: &TourScene, out: &mut Vec<(&'static str, Value)>) {
@@ -30,6 +30,10 @@ pub(super) fn write(tour: &TourScene, out: &mut Vec<(&'static str, Value)>) {
     }
     if !tour.closed {
         out.push(("closed", Value::Bool(false)));
+    }
+    if !tour.fixed.is_empty() {
+        let pairs: Vec<[f64; 2]> = tour.fixed.iter().map(|pair| pair.map(|stop| stop as f64)).collect();
+        out.push(("fixed", points(&pairs)));
     }
 }
 
@@ -54,6 +58,13 @@ pub(super) fn read(fields: &mut Fields) -> Result<TourScene, Error> {
     };
     fields.allow("metric");
     scene.closed = fields.flag("closed", true)?;
+    fields.allow("fixed");
+    if fields.has("fixed") {
+        for pair in fields.points("fixed")? {
+            // What is no number of a stop is one that there is not.
+            scene.fixed.push(pair.map(|stop| if stop.fract() == 0.0 && stop >= 0.0 { stop as usize } else { usize::MAX }));
+        }
+    }
     Ok(scene)
 }
 
@@ -61,8 +72,8 @@ pub(super) fn read(fields: &mut Fields) -> Result<TourScene, Error> {
 fn matrix(fields: &mut Fields) -> Result<Distances, Error> {
     let rows = fields.list("matrix")?;
     let n = rows.len();
-    if n > MAX_STOPS {
-        return Err(Error::refused("matrix", list_of(n), message!("scene-most-stops", "at most {most} stops", most = MAX_STOPS)));
+    if n > MAX_MATRIX {
+        return Err(Error::refused("matrix", list_of(n), message!("scene-most-stops", "at most {most} stops", most = MAX_MATRIX)));
     }
     let mut values = Vec::with_capacity(n * n);
     for (i, row) in rows.iter().enumerate() {

@@ -1,4 +1,4 @@
-import type { Planner, Point, Scene } from 'forage-lab'
+import type { Planner, Point, Scene, TourScene } from 'forage-lab'
 
 /** Without a place of their own they lie on a circle, as the core draws them. */
 const circles = new Map<number, Point[]>()
@@ -23,7 +23,20 @@ export const takesStops = (scene: Scene): boolean => scene.kind === 'grid' || (s
 /** The scene with other stops; the same if it doesn't take them. */
 export function withStops<S extends Scene>(scene: S, change: (stops: Point[]) => Point[]): S {
   if (!takesStops(scene)) return scene
-  return { ...scene, [scene.kind === 'grid' ? 'stops' : 'points']: change([...stopsOf(scene)]) }
+  const before = stopsOf(scene)
+  const after = change([...before])
+  if (scene.kind === 'grid') return { ...scene, stops: after }
+  return { ...scene, points: after, ...(scene.kind === 'tour' && fixedIn(scene, before, after)) }
+}
+
+/** The fixed ways whose stops are still there, by their new numbers. */
+function fixedIn({ fixed }: TourScene, before: readonly Point[], after: readonly Point[]): Pick<TourScene, 'fixed'> {
+  if (!fixed) return {}
+  const place = (stop: number): number => {
+    const found = before[stop]
+    return after.length >= before.length || !found ? stop : after.indexOf(found)
+  }
+  return { fixed: fixed.map(([a, b]): [number, number] => [place(a), place(b)]).filter((pair) => !pair.includes(-1)) }
 }
 
 /** Whether a planner runs on a scene: some call at stops, the others go from start to goal. */

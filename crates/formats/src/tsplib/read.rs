@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use forage::{
-    exact::{Distances, LONGEST, Metric},
+    exact::{Distances, LONGEST, MAX_MATRIX, Metric},
     kernel::{Error, Message},
     message,
-    scene::{LARGEST, MAX_STOPS, TourScene, tour},
+    scene::{FARTHEST, MAX_STOPS, TourScene, tour},
 };
 
 use super::{
@@ -32,6 +32,7 @@ struct Instance<'a> {
     places: Vec<[f64; 2]>,
     /// Row by row.
     weights: Vec<f64>,
+    fixed: Vec<[usize; 2]>,
 }
 
 /// How far it is from one stop to another: by a formula, or as a matrix says.
@@ -114,8 +115,7 @@ impl<'a> Instance<'a> {
             }
             "DIMENSION" => {
                 self.n = value.parse().ok().filter(|n| (2..=MAX_STOPS).contains(n));
-                let expected = message!("files-dimension", "for DIMENSION a number of stops from 2 to {most}", most = MAX_STOPS);
-                expect(self.n.is_some(), expected)?;
+                expect(self.n.is_some(), stops_up_to(MAX_STOPS))?;
             }
             "EDGE_WEIGHT_TYPE" => {
                 self.measure = match value {
@@ -148,10 +148,11 @@ impl<'a> Instance<'a> {
             "NODE_COORD_SECTION" => self.coordinates = self.points(words, keyword)?,
             "DISPLAY_DATA_SECTION" => self.places = self.points(words, keyword)?,
             "EDGE_WEIGHT_SECTION" => self.matrix(words)?,
+            "FIXED_EDGES_SECTION" => self.fixed(words, keyword)?,
             _ if keyword.ends_with("_SECTION") => {
                 let expected = message!(
                     "files-sections",
-                    "NODE_COORD_SECTION, EDGE_WEIGHT_SECTION or DISPLAY_DATA_SECTION: other sections change the problem"
+                    "NODE_COORD_SECTION, EDGE_WEIGHT_SECTION, FIXED_EDGES_SECTION or DISPLAY_DATA_SECTION: other sections change the problem"
                 );
                 return Err(words.file.unexpected(line, keyword, &expected));
             }
@@ -192,15 +193,27 @@ impl<'a> Instance<'a> {
                         "for stop {stop} coordinate {axis} a number from {least} to {most}",
                         stop = stop + 1,
                         axis = axis + 1,
-                        least = -LARGEST,
-                        most = LARGEST
+                        least = -FARTHEST,
+                        most = FARTHEST
                     )
                 };
-                *c = words.take(|word| number_up_to(LARGEST, word), &expected)?;
+                *c = words.take(|word| number_up_to(FARTHEST, word), &expected)?;
             }
         }
         words.end_of_line(&|| message!("files-end-of-stops", "the end of the line after {n} stops", n))?;
         Ok(points)
+    }
+
+    /// Pairs of stops, up to -1.
+    fn fixed(&mut self, words: &mut Words, section: &str) -> Result<(), Error> {
+        let n = self.count(words, section)?;
+        let mut called = vec![false; n];
+        while !words.skip("-1") {
+            let pair = [words.stop(n, &mut called)?, words.stop(n, &mut called)?];
+            pair.iter().for_each(|&stop| called[stop] = false);
+            self.fixed.push(pair);
+        }
+        Ok(())
     }
 
     fn matrix(&mut self, words: &mut Words) -> Result<(), Error> {
@@ -209,6 +222,9 @@ impl<'a> Instance<'a> {
             Some(line) => words.file.unexpected(line, "FUNCTION", &forms()),
             None => words.file.wrong(words.line, &too_early("EDGE_WEIGHT_SECTION", "EDGE_WEIGHT_FORMAT")),
         })?;
+        if n > MAX_MATRIX {
+            return Err(words.file.unexpected(words.line, "EDGE_WEIGHT_SECTION", &stops_up_to(MAX_MATRIX)));
+        }
         self.weights = vec![f64::NAN; n * n];
         let mut diagonal = 0;
         for i in 0..n {
@@ -258,7 +274,7 @@ impl<'a> Instance<'a> {
             self.line_of(keyword).ok_or_else(|| missing(keyword))?;
         }
         let n = self.n.unwrap_or_default();
-        match self.measure {
+        let mut scene = match self.measure {
             Some(Measure::By(metric)) => {
                 if let Some(line) = self.line_of("EDGE_WEIGHT_SECTION") {
                     let problem = message!("files-not-explicit", "`EDGE_WEIGHT_SECTION`, but `EDGE_WEIGHT_TYPE` is not EXPLICIT");
@@ -278,15 +294,22 @@ impl<'a> Instance<'a> {
                     // Latitude first, as people say it; y grows to the north.
                     points.iter_mut().for_each(|point| point.swap(0, 1));
                 }
-                Ok(TourScene::through(points, metric))
+                TourScene::through(points, metric)
             }
-            _ if self.weights.is_empty() => Err(missing("EDGE_WEIGHT_SECTION")),
+            _ if self.weights.is_empty() => return Err(missing("EDGE_WEIGHT_SECTION")),
             _ => {
                 let places = if self.places.is_empty() { &mut self.coordinates } else { &mut self.places };
-                Ok(TourScene::by(Distances::of(n, |i, j| self.weights[i * n + j]), std::mem::take(places)))
+                TourScene::by(Distances::of(n, |i, j| self.weights[i * n + j]), std::mem::take(places))
             }
-        }
+        };
+        scene.fixed = std::mem::take(&mut self.fixed);
+        Ok(scene)
     }
+}
+
+/// How many stops there may be.
+fn stops_up_to(most: usize) -> Message {
+    message!("files-dimension", "for DIMENSION a number of stops from 2 to {most}", most)
 }
 
 /// What is wrong with a section that needs a keyword before it.

@@ -180,8 +180,8 @@ fn what_is_not_supported_is_refused_by_its_name_and_line() {
         (change("3 9 9", "0 9 9"), "line 8: found `0`, expected a stop from 1 to 3".to_owned()),
         (change("3 9 9", "3 9 9\n4 1 1"), "line 9: found `4`, expected a keyword, a section or EOF".to_owned()),
         (change("3 9 9", "3 9 9 9"), "line 8: found `9`, expected the end of the line after 3 stops".to_owned()),
-        (change("3 9 9", "3 9 nan"), "line 8: found `nan`, expected for stop 3 coordinate 2 a number from -1000000".to_owned()),
-        (change("3 9 9", "3 2e6 9"), "line 8: found `2e6`, expected for stop 3 coordinate 1".to_owned()),
+        (change("3 9 9", "3 9 nan"), "line 8: found `nan`, expected for stop 3 coordinate 2 a number from -1000000000".to_owned()),
+        (change("3 9 9", "3 2e9 9"), "line 8: found `2e9`, expected for stop 3 coordinate 1".to_owned()),
         (change("NAME: a", "NAME: a\nTYPE: TSP"), "line 3: `TYPE` again, first in line 2".to_owned()),
         (change("EOF", "NODE_COORD_SECTION"), "line 9: `NODE_COORD_SECTION` again, first in line 5".to_owned()),
         (change("EOF", "EDGE_WEIGHT_FORMAT: UPPER_ROW\nEDGE_WEIGHT_SECTION\n5 6 7"), "line 10: `EDGE_WEIGHT_SECTION`, but".to_owned()),
@@ -213,17 +213,44 @@ fn what_is_not_supported_is_refused_by_its_name_and_line() {
     for form in ["FUNCTION", "UPPER", "SPARSE"] {
         cases.push((of_matrix("FULL_MATRIX", form), format!("line 5: found `{form}`, expected for EDGE_WEIGHT_FORMAT FULL_MATRIX")));
     }
-    for section in ["FIXED_EDGES_SECTION", "EDGE_DATA_SECTION", "DEMAND_SECTION", "DEPOT_SECTION", "TOUR_SECTION"] {
+    for section in ["EDGE_DATA_SECTION", "DEMAND_SECTION", "DEPOT_SECTION", "TOUR_SECTION"] {
         cases.push((change("EOF", section), format!("line 9: found `{section}`, expected NODE_COORD_SECTION")));
     }
-    for n in ["1", "0", "2001", "three", "3.0"] {
-        let part = format!("line 3: found `{n}`, expected for DIMENSION a number of stops from 2 to 2000");
+    for n in ["1", "0", "100001", "three", "3.0"] {
+        let part = format!("line 3: found `{n}`, expected for DIMENSION a number of stops from 2 to 100000");
         cases.push((change("DIMENSION: 3", &format!("DIMENSION: {n}")), part));
     }
     for (text, part) in cases {
         let error = import(standard(), &[file("folder/a.tsp", &text)], None).unwrap_err();
         assert_eq!(error.field(), "a.tsp");
         assert!(error.to_string().contains(&part), "{error}\nshould say\n{part}");
+    }
+}
+
+#[test]
+fn fixed_edges_are_read_and_written() {
+    // Four corners of a square: the tour must go along a diagonal.
+    let square = instance("EUC_2D", &[[0.0, 0.0], [30.0, 0.0], [30.0, 40.0], [0.0, 40.0]]);
+    let fixed = |pairs: &str| square.replace("NODE_COORD_SECTION", &format!("FIXED_EDGES_SECTION\n{pairs}\nNODE_COORD_SECTION"));
+    let scene = read(&fixed("1 3\n-1"));
+    assert_eq!(scene.get::<TourScene>().unwrap().fixed, [[0, 2]]);
+    // 1 3 2 4 or 1 3 4 2: the other diagonal, 50, and two sides of 30. The fixed one costs nothing.
+    assert_eq!(scene.exact_tour(forage::kernel::ReferenceOptimum::default(), forage::kernel::TourEnds::Closed).unwrap().length, 110.0);
+    let written = export(&scene, Format::Tsplib, "x").unwrap();
+    assert!(str::from_utf8(&written.files[0].bytes).unwrap().contains("FIXED_EDGES_SECTION\n1 3\n-1\nEOF"));
+    assert_eq!(read(str::from_utf8(&written.files[0].bytes).unwrap()).get::<TourScene>().unwrap(), scene.get::<TourScene>().unwrap());
+    for (pairs, part) in [
+        ("1 3 2 -1", "found `-1`, expected a stop from 1 to 4"),
+        ("1 5 -1", "found `5`, expected a stop from 1 to 4"),
+        ("1 3 -1 2", "found `2`, expected a keyword"),
+        ("1 1 -1", "found `1`, expected a stop that is not listed above"),
+    ] {
+        let error = import(standard(), &[file("x.tsp", fixed(pairs))], None).unwrap_err().to_string();
+        assert!(error.contains(part), "{error}\nshould say\n{part}");
+    }
+    for pairs in ["1 2 1 3 1 4 -1", "1 2 2 3 3 1 -1"] {
+        let error = import(standard(), &[file("x.tsp", fixed(pairs))], None).unwrap_err().to_string();
+        assert!(error.contains("at most two fixed ways meet in a stop"), "{error}");
     }
 }
 

@@ -64,6 +64,14 @@ impl<'a> Words<'a> {
         Some(word)
     }
 
+    /// Goes past a word if it is the next one.
+    pub(super) fn skip(&mut self, word: &str) -> bool {
+        let rest = if self.advance() { self.left.strip_prefix(word) } else { None };
+        let rest = rest.filter(|rest| rest.is_empty() || rest.starts_with(char::is_whitespace));
+        self.left = rest.map_or(self.left, str::trim_start);
+        rest.is_some()
+    }
+
     /// The next word, as `read` takes it; where it takes it for nothing it is refused, and `expected` says why.
     pub(super) fn take<T>(&mut self, read: impl FnOnce(&str) -> Option<T>, expected: &dyn Fn() -> Message) -> Result<T, Error> {
         let word = self.word();

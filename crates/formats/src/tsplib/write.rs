@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use forage::{
-    exact::Metric,
+    exact::{Distances, Metric},
     kernel::{Error, ReferenceOptimum, TourEnds, digits::Digits},
     message,
     scene::{Scene, TourScene},
@@ -27,9 +27,9 @@ pub(in super::super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Er
     let n = tour.len();
     let mut text = format!("NAME : {stem}\nTYPE : TSP\nCOMMENT : {}\nDIMENSION : {n}\n", comment.trim());
     let rounded = tour.matrix.is_none() && tour.metric == Metric::Euclidean;
-    if tour.matrix.is_some() {
-        matrix(tour, &mut text);
-        if tour.distances().rows().flatten().any(|d| d.fract() != 0.0) {
+    if let Some(distances) = &tour.matrix {
+        matrix(tour, distances, &mut text);
+        if distances.rows().flatten().any(|d| d.fract() != 0.0) {
             notes.push(message!(
                 "files-not-whole",
                 "Some distances are no whole numbers; TSPLIB’s are, and other programs may not read them."
@@ -52,6 +52,13 @@ pub(in super::super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Er
             ));
         }
     }
+    if !tour.fixed.is_empty() {
+        text.push_str("FIXED_EDGES_SECTION\n");
+        for [a, b] in &tour.fixed {
+            let _ = writeln!(text, "{} {}", a + 1, b + 1);
+        }
+        text.push_str("-1\n");
+    }
     text.push_str("EOF\n");
     let mut files = vec![NamedFile::new(format!("{stem}.tsp"), text)];
     if !tour.closed {
@@ -64,12 +71,12 @@ pub(in super::super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Er
     Ok(Exported { files, notes })
 }
 
-fn matrix(tour: &TourScene, text: &mut String) {
+fn matrix(tour: &TourScene, distances: &Distances, text: &mut String) {
     let display = if tour.points.is_empty() { "NO_DISPLAY" } else { "TWOD_DISPLAY" };
     // Writing to a string cannot fail.
     let _ =
         writeln!(text, "EDGE_WEIGHT_TYPE : EXPLICIT\nEDGE_WEIGHT_FORMAT : FULL_MATRIX\nDISPLAY_DATA_TYPE : {display}\nEDGE_WEIGHT_SECTION");
-    for row in tour.distances().rows() {
+    for row in distances.rows() {
         for (j, d) in row.iter().enumerate() {
             let between = if j > 0 { " " } else { "" };
             let _ = write!(text, "{between}{}", Digits(*d));

@@ -7,6 +7,7 @@ pub mod bbob;
 pub mod movingai;
 mod plot;
 pub mod suite;
+pub mod tsplib;
 
 use std::sync::Arc;
 
@@ -34,10 +35,14 @@ pub fn iterations_within(registry: &Arc<Registry>, setup: &Setup, budget: u64) -
         }
         idle += 1;
     };
-    let parameter = registry.planner(&setup.planner)?.parameter(ITERATIONS);
-    let most = match parameter.map(|parameter| parameter.domain) {
+    let most = most_iterations(registry, &setup.planner)?;
+    Ok((idle + budget.saturating_sub(begun).div_ceil(spent.max(1))).clamp(1, most))
+}
+
+/// The most iterations that a planner takes.
+fn most_iterations(registry: &Registry, planner: &str) -> Result<u64, Error> {
+    Ok(match registry.planner(planner)?.parameter(ITERATIONS).map(|parameter| parameter.domain) {
         Some(Domain::Integer { max, .. }) => max,
         _ => u64::MAX,
-    };
-    Ok((idle + budget.saturating_sub(begun).div_ceil(spent.max(1))).clamp(1, most))
+    })
 }

@@ -47,6 +47,7 @@ export const scenes = {
     },
     geo: 'x is the longitude and y the latitude, both as degrees and minutes: DDD.MM.',
     closed: 'Back to the first stop',
+    fixed: (ways: string) => `Every tour goes these ways, at no cost: ${ways}`,
     given: 'The distances are given as a matrix: where the stops are drawn means nothing, and they can’t be moved, added or removed here.',
     onGrid: 'Planners of tours call at these instead of going from start to goal.',
   },

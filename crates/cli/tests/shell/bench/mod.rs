@@ -2,3 +2,4 @@
 
 mod bbob;
 mod movingai;
+mod tsplib;

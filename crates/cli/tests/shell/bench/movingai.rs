@@ -106,7 +106,7 @@ fn what_is_wrong_is_refused() {
 fn the_optima_of_published_problems_are_found() {
     let cargo = env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let output = Command::new(cargo).args(["metadata", "--format-version", "1", "--locked", "--offline"]).output().unwrap();
-    let found: serde_json::Value = serde_json::from_slice(&output.stdout).expect(&text(&output.stderr));
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", text(&output.stderr)));
     let package = found["packages"].as_array().unwrap().iter().find(|package| package["name"] == "movingai").unwrap();
     let data = Path::new(package["manifest_path"].as_str().unwrap()).with_file_name("tests");
     let out = empty_folder("movingai-published");

@@ -12,7 +12,6 @@ use std::{
         Arc,
         atomic::{AtomicBool, Ordering},
     },
-    time::Instant,
 };
 
 use forage::{
@@ -61,8 +60,8 @@ impl Plan {
         for (file, set) in self.worlds.sets.iter().enumerate() {
             let (mut bucket, mut taken) = (None, 0);
             for &(number, problem) in &set.problems {
-                if bucket != Some(problem.bucket) {
-                    (bucket, taken) = (Some(problem.bucket), 0);
+                if bucket != Some(problem.bucket()) {
+                    (bucket, taken) = (Some(problem.bucket()), 0);
                 }
                 taken += 1;
                 if self.per_bucket.is_none_or(|most| taken <= most) {
@@ -156,7 +155,8 @@ impl Task {
         let problem = self.problem();
         let setup = self.setup()?;
         let scene = Arc::clone(&setup.scene);
-        let begun = Instant::now();
+        #[expect(clippy::disallowed_types, reason = "what it takes is measured, and is no part of the result")]
+        let begun = std::time::Instant::now();
         let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
         while run.step(1) == Status::Running {
             if stop.load(Ordering::Relaxed) {
@@ -172,7 +172,7 @@ impl Task {
             params: self.contender.set(),
             file: set.name.clone(),
             problem: number,
-            bucket: problem.bucket,
+            bucket: problem.bucket(),
             optimum: problem.length,
             exact,
             length,

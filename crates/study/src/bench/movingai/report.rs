@@ -81,8 +81,11 @@ pub(super) fn planners(rows: &[Row]) -> Table {
     table
 }
 
+/// A planner's groups, with the first bucket and the last one of each.
+type Banded = (String, Vec<([u64; 2], Group)>);
+
 /// The rows of each planner by bands of buckets: so many at most, with the first bucket and the last one of each.
-fn by_band(rows: &[Row], bands: u64) -> Vec<(String, Vec<([u64; 2], Group)>)> {
+fn by_band(rows: &[Row], bands: u64) -> Vec<Banded> {
     let most = rows.iter().map(|row| row.bucket).max().unwrap_or(0);
     let width = (most + 1).div_ceil(bands);
     let of = |contender: String| {
@@ -112,7 +115,7 @@ fn table(rows: &[Row], name: &str, title: &str, bands: u64) -> Table {
 
 /// A quantity of the groups over the buckets.
 fn curves(rows: &[Row], of: impl Fn(&Group) -> Option<f64>) -> Vec<Curve> {
-    let curve = |(name, groups): (String, Vec<([u64; 2], Group)>)| {
+    let curve = |(name, groups): Banded| {
         let points = groups.iter().filter_map(|([from, to], group)| Some((f64::midpoint(*from as f64, *to as f64), of(group)?)));
         Curve { name, points: points.collect() }
     };

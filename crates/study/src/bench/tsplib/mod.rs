@@ -1,0 +1,215 @@
+//! The suite `tsplib`: tours through the instances of a folder, against the published optima.
+//!
+//! Data: <http://comopt.ifi.uni-heidelberg.de/software/TSPLIB95/>
+
+mod load;
+mod report;
+mod row;
+
+use std::{
+    path::{Path, PathBuf},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+use forage::{
+    Error, Registry, Run, Setup, Status, Value,
+    scene::{Header, TOUR, TourScene, tour},
+};
+
+pub use row::Row;
+
+use self::{
+    load::{Instance, instances},
+    row::key,
+};
+use super::{
+    super::{failure::Failure, runner::Job},
+    ITERATIONS, iterations_within,
+    suite::{Attempt, Contender, Suite, check_count},
+};
+
+/// Evaluations for each stop, unless it is said otherwise.
+pub const BUDGET: u64 = 1_000;
+/// So often a run begins again with more iterations because its limit came before the budget was spent.
+const AGAIN: usize = 4;
+
+/// The instances of a folder.
+pub struct Plan {
+    instances: Vec<Arc<Instance>>,
+    notes: Vec<String>,
+    budget: u64,
+    runs: u64,
+}
+
+/// A planner on an instance.
+#[derive(Clone)]
+pub struct Task {
+    registry: Arc<Registry>,
+    contender: Arc<Contender>,
+    instance: Arc<Instance>,
+    budget: u64,
+    seed: u64,
+}
+
+impl Plan {
+    /// Reads the `.tsp` files in a folder and the folders in it, up to so many stops. Each is toured `runs` times, with the seeds from 1,
+    /// and `budget` evaluations for each stop.
+    ///
+    /// # Errors
+    /// A folder without an instance; a file that cannot be read.
+    pub fn read(registry: &Registry, folder: &Path, largest: Option<usize>, budget: u64, runs: u64) -> Result<Self, Failure> {
+        let (instances, notes) = instances(registry, folder, largest)?;
+        Ok(Self { instances, notes, budget, runs })
+    }
+}
+
+impl Suite for Plan {
+    type Attempt = Task;
+
+    const NAME: &'static str = "tsplib";
+
+    fn everyone(registry: &Registry) -> Vec<Contender> {
+        let planners = registry.planners().iter().filter(|entry| entry.kinds.contains(&TOUR) && entry.stops);
+        planners.map(|entry| Contender::new(entry.name)).collect()
+    }
+
+    /// Those that change one tour: many of thousands of stops would take hours.
+    fn usual(registry: &Registry) -> Vec<Contender> {
+        let has_one = |contender: &Contender| {
+            let entry = registry.planner(&contender.planner);
+            entry.is_ok_and(|entry| entry.most_stops.is_none() && entry.parameter("population").is_none())
+        };
+        Self::everyone(registry).into_iter().filter(has_one).collect()
+    }
+
+    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+        let runs = usize::try_from(self.runs).unwrap_or(usize::MAX);
+        check_count(self.instances.len().saturating_mul(contenders.len()).saturating_mul(runs))?;
+        let mut all = Vec::new();
+        for contender in contenders {
+            let contender = Arc::new(contender.clone());
+            let most = registry.planner(&contender.planner)?.most_stops.unwrap_or(usize::MAX);
+            let mut checked = false;
+            for instance in self.instances.iter().filter(|instance| instance.tour.len() <= most) {
+                for seed in 1..=self.runs {
+                    let budget = self.budget * instance.tour.len() as u64;
+                    let task = Task {
+                        registry: Arc::clone(registry),
+                        contender: Arc::clone(&contender),
+                        instance: Arc::clone(instance),
+                        budget,
+                        seed,
+                    };
+                    // One instance says for all what is set wrongly.
+                    if !checked {
+                        task.setup()?.check(registry).map_err(|error| error.within(&contender.planner))?;
+                        checked = true;
+                    }
+                    all.push(task);
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    fn write(&self, rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+        report::write(rows, folder)
+    }
+
+    fn table(&self, rows: &[Row]) -> String {
+        report::planners(rows).text()
+    }
+
+    fn faults(&self, rows: &[Row]) -> Vec<String> {
+        rows.iter().filter_map(Row::fault).collect()
+    }
+
+    fn notes(&self) -> &[String] {
+        &self.notes
+    }
+}
+
+impl Task {
+    fn setup(&self) -> Result<Setup, Error> {
+        // A copy makes its own distances: those of all instances would be too much memory.
+        let tour: TourScene = self.instance.tour.clone();
+        let scene = tour::KIND.scene(Header::named(&self.instance.name, &self.instance.name), tour)?;
+        let Contender { planner, params } = (*self.contender).clone();
+        Ok(Setup { planner, scene: Arc::new(scene), params, seed: self.seed })
+    }
+
+    /// Runs until the budget is spent or the planner comes to its end; `None` if it is told to stop.
+    fn run_once(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<Run>, Error> {
+        let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
+        while run.evaluations() < self.budget && run.step(1) == Status::Running {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(run))
+    }
+
+    fn carry_out(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
+        let mut setup = self.setup()?;
+        let is_set = setup.params.get(ITERATIONS).is_some();
+        let mut iterations = if is_set { 0 } else { iterations_within(&self.registry, &setup, self.budget)? };
+        let scene = Arc::clone(&setup.scene);
+        for again in 0.. {
+            if !is_set {
+                setup.params.insert(ITERATIONS, Value::Number(iterations as f64));
+            }
+            #[expect(clippy::disallowed_types, reason = "what it takes is measured, and is no part of the result")]
+            let begun = std::time::Instant::now();
+            let Some(run) = self.run_once(setup.clone(), stop)? else { return Ok(None) };
+            let seconds = begun.elapsed().as_secs_f64();
+            // The first step said that the others take more evaluations than they did.
+            let spent = run.evaluations();
+            let most = super::most_iterations(&self.registry, &setup.planner)?;
+            if !is_set && again < AGAIN && spent < self.budget && run.iteration() >= run.limit() && iterations < most {
+                let more = iterations as f64 * (self.budget as f64 / spent.max(1) as f64).min(100.0) * 1.1;
+                iterations = (more as u64).max(iterations + 1).min(most);
+                continue;
+            }
+            let verdict = run.best().map(|best| scene.judge(&best.solution));
+            return Ok(Some(Row {
+                planner: self.contender.planner.clone(),
+                params: self.contender.set(),
+                instance: self.instance.name.clone(),
+                stops: self.instance.tour.len(),
+                seed: self.seed,
+                budget: self.budget,
+                optimum: self.instance.optimum,
+                length: verdict.filter(|verdict| verdict.feasible).and_then(|verdict| verdict.length),
+                iterations: run.iteration(),
+                evaluations: run.evaluations(),
+                seconds,
+            }));
+        }
+        Ok(None)
+    }
+}
+
+impl Job for Task {
+    type Row = Row;
+
+    fn key(&self) -> String {
+        key(&self.contender.name(), &self.instance.name, self.seed, self.budget)
+    }
+
+    fn weight(&self) -> u64 {
+        self.budget
+    }
+
+    fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
+        self.carry_out(stop)
+    }
+}
+
+impl Attempt for Task {
+    fn contender(&self) -> &Contender {
+        &self.contender
+    }
+}

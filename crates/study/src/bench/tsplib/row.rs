@@ -1,0 +1,64 @@
+//! What a run on an instance came to.
+
+use serde::{Deserialize, Serialize};
+
+use super::super::{super::rows::Row as Kept, suite::named};
+
+/// What it came to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// The planner.
+    pub planner: String,
+    /// What was set of it.
+    pub params: String,
+    /// The instance.
+    pub instance: String,
+    /// How many stops it has.
+    pub stops: usize,
+    /// The seed.
+    pub seed: u64,
+    /// How many evaluations there could be.
+    pub budget: u64,
+    /// The published length of the shortest tour.
+    pub optimum: Option<f64>,
+    /// The length of the tour that was found, if it is one.
+    pub length: Option<f64>,
+    /// Iterations taken.
+    pub iterations: u64,
+    /// How many evaluations there were: tours, or moves of one, that were measured.
+    pub evaluations: u64,
+    /// How long it took, in seconds; measured.
+    pub seconds: f64,
+}
+
+impl Row {
+    /// How much longer than the optimum, as a share of it.
+    pub(super) fn gap(&self) -> Option<f64> {
+        Some(self.length? / self.optimum? - 1.0)
+    }
+
+    /// What tells planners apart, with what is set of them.
+    pub(super) fn contender(&self) -> String {
+        named(&self.planner, &self.params)
+    }
+
+    /// What must not be: a tour that is shorter than the shortest.
+    pub(super) fn fault(&self) -> Option<String> {
+        let (length, optimum) = (self.length?, self.optimum?);
+        (length < optimum - 1e-6).then(|| format!("{}: {length} is shorter than the published optimum, {optimum}", self.key()))
+    }
+}
+
+impl Kept for Row {
+    fn key(&self) -> String {
+        key(&self.contender(), &self.instance, self.seed, self.budget)
+    }
+
+    fn computed(&self) -> Self {
+        Self { seconds: 0.0, ..self.clone() }
+    }
+}
+
+pub(super) fn key(contender: &str, instance: &str, seed: u64, budget: u64) -> String {
+    format!("{contender} on {instance} seed {seed} within {budget}")
+}
