@@ -5,7 +5,7 @@ use super::problem::Stop;
 /// The nearest of the stops that are offered; of equally near ones those with lower numbers.
 pub(super) struct Nearest {
     /// So few that each finds its place among them at once.
-    found: Vec<(f64, Stop)>,
+    pub(super) found: Vec<(f64, Stop)>,
     count: usize,
 }
 
@@ -27,10 +27,6 @@ impl Nearest {
     /// How far the last one is; infinitely, while there are fewer.
     fn farthest(&self) -> f64 {
         self.found.get(self.count - 1).map_or(f64::INFINITY, |last| last.0)
-    }
-
-    pub(super) fn stops(self) -> Vec<Stop> {
-        self.found.into_iter().map(|(_, stop)| stop).collect()
     }
 }
 
@@ -132,8 +128,8 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// The nearest stops that are left, by the straight line.
-    pub(super) fn nearest(&self, stop: Stop, count: usize) -> Vec<Stop> {
+    /// The nearest stops that are left, with the squares of the straight lines.
+    pub(super) fn nearest(&self, stop: Stop, count: usize) -> Vec<(f64, Stop)> {
         let mut nearest = Nearest::new(count);
         let mut ring = 0;
         // Whatever is in the next ring is farther than this one is wide.
@@ -142,12 +138,12 @@ impl<'a> Field<'a> {
             ring += 1;
             wide += self.side;
         }
-        nearest.stops()
+        nearest.found
     }
 
     /// The nearest stop that is left, which is taken out.
     pub(super) fn take_nearest(&mut self, stop: Stop) -> Option<Stop> {
-        let nearest = self.nearest(stop, 1).pop()?;
+        let (_, nearest) = self.nearest(stop, 1).pop()?;
         self.remove(nearest);
         Some(nearest)
     }
@@ -174,7 +170,7 @@ mod tests {
                 let mut others: Vec<_> = left.iter().copied().filter(|&stop| stop != from).collect();
                 others.sort_by(|&a, &b| field.apart(from, a).total_cmp(&field.apart(from, b)).then(a.cmp(&b)));
                 others.truncate(10);
-                assert_eq!(field.nearest(from, 10), others, "{points:?}");
+                assert_eq!(field.nearest(from, 10).into_iter().map(|(_, stop)| stop).collect::<Vec<_>>(), others, "{points:?}");
                 let gone = left.swap_remove(rng.below(left.len()));
                 field.remove(gone);
             }

@@ -51,17 +51,22 @@ impl Places {
     }
 }
 
-/// Each stop's nearest neighbours, the nearest first.
-pub fn neighbours(problem: &Problem) -> Arc<[Vec<Stop>]> {
+/// Each stop's nearest neighbours with their distances, the nearest first.
+pub fn neighbours(problem: &Problem) -> Arc<[Vec<(f64, Stop)>]> {
     let n = problem.n as Stop;
     if !problem.points().is_empty() {
         let field = Field::new(problem.points(), &(0..n).collect::<Vec<_>>());
-        return (0..n).map(|stop| field.nearest(stop, NEIGHBOURS)).collect();
+        let nearest = |stop: Stop| {
+            let mut found = field.nearest(stop, NEIGHBOURS);
+            found.iter_mut().for_each(|(d, other)| *d = problem.d(stop, *other));
+            found
+        };
+        return (0..n).map(nearest).collect();
     }
     let nearest = |stop: Stop| {
         let mut nearest = Nearest::new(NEIGHBOURS);
         (0..n).filter(|other| *other != stop).for_each(|other| nearest.offer(problem.d(stop, other), other));
-        nearest.stops()
+        nearest.found
     };
     (0..n).map(nearest).collect()
 }
@@ -82,7 +87,7 @@ pub struct LocalSearch {
     #[state(shared)]
     problem: Arc<Problem>,
     #[state(shared)]
-    near: Arc<[Vec<Stop>]>,
+    near: Arc<[Vec<(f64, Stop)>]>,
     /// Where a stop stands with another behind it, and where it stands behind another. They differ for the ends alone: the
     /// first stop of a closed tour is its head and its tail.
     left: Places,
@@ -204,8 +209,8 @@ impl LocalSearch {
         if p != NONE {
             let b = row[p + 1];
             let old = d(a, b);
-            for &c in near {
-                let nearer = old - d(a, c);
+            for &(apart, c) in near {
+                let nearer = old - apart;
                 if nearer <= self.least {
                     break;
                 }
@@ -224,8 +229,8 @@ impl LocalSearch {
         if p != NONE {
             let b = row[p - 1];
             let old = d(a, b);
-            for &c in near {
-                let nearer = old - d(a, c);
+            for &(apart, c) in near {
+                let nearer = old - apart;
                 if nearer <= self.least {
                     break;
                 }
@@ -255,8 +260,8 @@ impl LocalSearch {
             let (before, behind) = (row[low - 1], row[high + 1]);
             let z = if backward { row[low] } else { row[high] };
             let taken = d(before, row[low]) + d(row[high], behind) - d(before, behind);
-            for &c in &self.near[a as usize] {
-                let nearer = taken - d(a, c);
+            for &(apart, c) in &self.near[a as usize] {
+                let nearer = taken - apart;
                 if nearer <= self.least {
                     break;
                 }
@@ -295,8 +300,8 @@ impl LocalSearch {
             // The stretch goes behind the place `gap`.
             let (other, gap) = if after { (row[q + 1], q) } else { (row[q - 1], q - 1) };
             let old = d(c, other);
-            for &a in &self.near[c as usize] {
-                let nearer = old - d(c, a);
+            for &(apart, a) in &self.near[c as usize] {
+                let nearer = old - apart;
                 if nearer <= self.least {
                     break;
                 }

@@ -59,12 +59,15 @@ impl Problem {
     /// From one stop to another; 0 from and to nowhere.
     #[inline]
     pub fn d(&self, a: Stop, b: Stop) -> f64 {
-        if self.d.is_empty() {
-            return self.computed(a, b);
+        // Where distances are computed there is nothing to look up: what the bounds are checked for anyway.
+        match self.d.get(a as usize * (self.n + 1) + b as usize) {
+            Some(d) => *d,
+            None => self.computed(a, b),
         }
-        self.d[a as usize * (self.n + 1) + b as usize]
     }
 
+    #[cold]
+    #[inline(never)]
     fn computed(&self, a: Stop, b: Stop) -> f64 {
         match &self.distances {
             Some(distances) if a.max(b) < self.nowhere() => distances.between(a as usize, b as usize),
