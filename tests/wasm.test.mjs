@@ -527,7 +527,7 @@ test('more members than there is memory for are refused as natively', () => {
   const points = Array.from({ length: 2000 }, (_, k) => [k % 50, Math.floor(k / 50)])
   const scene = { format: 'forage-scene', version: 1, kind: 'tour', name: 't', title: 'T', points }
   const { message: _, ...told } = refusal(() => new Session({ planner: 'tour-pso', scene, params: { population: 100_000 } }))
-  const allowed = 'at most 32736 where each takes 16400 bytes of memory'
+  const allowed = 'at most 16561 where each takes 32416 bytes of memory'
   assert.deepEqual(told, { code: 'refused', field: 'population', value: '100000', allowed })
 })
 

@@ -1,6 +1,7 @@
-import type { DiscsScene, GridScene } from 'forage-lab'
+import type { DiscsScene, GridScene, Point, TourScene } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { add, blamed, edited, move, remove, resize } from './edits'
+import { withStops } from './stops'
 
 const discs: DiscsScene = {
   format: 'forage-scene',
@@ -58,4 +59,30 @@ test.each([
   ['population', null],
 ])('a refusal of %s selects the object it names', (field, selection) => {
   expect(blamed(field)).toEqual(selection)
+})
+
+const tour: TourScene = {
+  format: 'forage-scene',
+  version: 1,
+  kind: 'tour',
+  name: 't',
+  title: 'T',
+  points: [
+    [0, 0],
+    [1, 0],
+    [2, 0],
+    [3, 0],
+  ],
+  fixed: [
+    [0, 3],
+    [1, 2],
+  ],
+}
+
+test('fixed ways follow their stops, and go with them', () => {
+  const fixed = (by: (stops: Point[]) => Point[]) => withStops(tour, by).fixed
+  expect(fixed((stops) => stops.filter((_, at) => at !== 1))).toEqual([[0, 2]])
+  expect(fixed((stops) => stops.filter((_, at) => at !== 0))).toEqual([[0, 1]])
+  expect(fixed((stops) => stops.with(0, [9, 9]))).toEqual(tour.fixed)
+  expect(fixed((stops) => [...stops, [4, 0]])).toEqual(tour.fixed)
 })
