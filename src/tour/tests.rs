@@ -347,7 +347,7 @@ fn computed_distances_give_tours_as_good_as_a_matrix() {
 fn fixed_ways_are_in_every_tour() {
     let mut rng = Stream::new(18, 0);
     for case in 0..8 {
-        let n = 6 + rng.below(3);
+        let n = if case < 2 { 5 } else { 6 + rng.below(3) };
         let mut scene = stops(n, &mut rng).get::<TourScene>().unwrap().clone();
         scene.fixed = if case % 2 == 0 { vec![[0, n - 1]] } else { vec![[1, 4], [4, 2]] };
         scene.closed = case < 4;

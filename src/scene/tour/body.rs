@@ -132,10 +132,12 @@ impl TourScene {
     fn check_fixed(&self) -> Result<(), Error> {
         const INSIDE: usize = usize::MAX;
         // From each end of a chain of fixed ways its other end; a stop alone is both.
-        let mut other: Vec<usize> = (0..self.len().min(MAX_MATRIX)).collect();
+        // Of two stops there is one tour anyway, and of more than fit into a matrix none can be fixed.
+        let few = if (3..=MAX_MATRIX).contains(&self.len()) { self.len() } else { 0 };
+        let mut other: Vec<usize> = (0..few).collect();
         for (i, &[a, b]) in self.fixed.iter().enumerate() {
             match (other.get(a), other.get(b)) {
-                (Some(&x), Some(&y)) if x != INSIDE && y != INSIDE && x != b => {
+                (Some(&x), Some(&y)) if x != INSIDE && y != INSIDE && x != b && a != b => {
                     (other[a], other[b]) = (INSIDE, INSIDE);
                     (other[x], other[y]) = (y, x);
                 }
@@ -241,7 +243,7 @@ impl TourScene {
 pub(super) fn fixed_ways() -> Message {
     message!(
         "scene-fixed",
-        "two different stops, of up to {most}, that follow each other in every tour: at most two fixed ways meet in a stop, and they do not go round",
+        "two different stops, of 3 to {most}, that follow each other in every tour: at most two fixed ways meet in a stop, and they do not go round",
         most = MAX_MATRIX
     )
 }
@@ -270,5 +272,29 @@ mod tests {
         assert_eq!(refused(r#"{"length": 3, "order": [0, 1, 2, 3]}"#), "exact.length");
         assert!(square(r#"{"length": 4, "order": [0, 1, 2, 3]}"#).is_ok());
         assert!(square(r#"{"length": 4}"#).is_ok());
+    }
+
+    #[test]
+    fn fixed_ways_that_no_tour_can_have_are_refused() {
+        let read = |stops: usize, fixed: &str| {
+            let points: Vec<_> = (0..stops).map(|i| [i % 40, i / 40]).collect();
+            standard().read_scene(&format!(
+                r#"{{"format": "forage-scene", "version": 1, "kind": "tour", "name": "s", "title": "S",
+                    "points": {points:?}, "fixed": {fixed}}}"#
+            ))
+        };
+        for (stops, fixed, at) in [
+            (4, "[[0, 0]]", 0),
+            (4, "[[0, 1], [0, 0]]", 1),
+            (4, "[[0, 1], [0, 2], [0, 3]]", 2),
+            (4, "[[0, 1], [1, 2], [2, 0]]", 2),
+            (4, "[[0, 4]]", 0),
+            (4, "[[0, 1.5]]", 0),
+            (2, "[[0, 1]]", 0),
+            (2001, "[[0, 1]]", 0),
+        ] {
+            assert_eq!(read(stops, fixed).unwrap_err().field(), format!("fixed[{at}]"), "{fixed} of {stops}");
+        }
+        assert!(read(3, "[[0, 1], [1, 2]]").is_ok() && read(2000, "[[0, 1999]]").is_ok());
     }
 }

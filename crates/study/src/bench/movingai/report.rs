@@ -87,13 +87,13 @@ type Banded = (String, Vec<([u64; 2], Group)>);
 /// The rows of each planner by bands of buckets: so many at most, with the first bucket and the last one of each.
 fn by_band(rows: &[Row], bands: u64) -> Vec<Banded> {
     let most = rows.iter().map(|row| row.bucket).max().unwrap_or(0);
-    let width = (most + 1).div_ceil(bands);
+    let width = most.saturating_add(1).div_ceil(bands);
     let of = |contender: String| {
         let mut bands: BTreeMap<u64, Vec<&Row>> = BTreeMap::new();
         for row in rows.iter().filter(|row| row.contender() == contender) {
             bands.entry(row.bucket / width).or_default().push(row);
         }
-        let ends = |band: u64| [band * width, ((band + 1) * width - 1).min(most)];
+        let ends = |band: u64| [band * width, (band * width).saturating_add(width - 1).min(most)];
         let groups = bands.into_iter().map(|(band, own)| (ends(band), Group::of(own.into_iter())));
         (contender, groups.collect())
     };
