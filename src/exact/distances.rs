@@ -129,8 +129,8 @@ impl Distances {
         self.bonus * self.fixed.len() as f64
     }
 
-    /// How much a way counts in a search: a fixed one less than nothing by more than any tour is long, so that no tour without it is
-    /// shorter.
+    /// What a way costs in a search: a fixed one has a negative cost, larger in size than any tour is long, so that no tour without it
+    /// is shorter.
     #[inline(never)]
     pub fn counted(&self, i: usize, j: usize) -> f64 {
         self.between(i, j) - if self.is_fixed(i, j) { self.bonus } else { 0.0 }

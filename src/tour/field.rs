@@ -16,7 +16,7 @@ impl Nearest {
 
     #[inline(never)]
     pub(super) fn offer(&mut self, d: f64, stop: Stop) {
-        if d > self.farthest() {
+        if self.found.get(self.count - 1).is_some_and(|last| (d, stop) >= *last) {
             return;
         }
         let place = self.found.partition_point(|known| *known < (d, stop));
@@ -63,7 +63,8 @@ impl<'a> Field<'a> {
         let size = spans.map(|span| (span / side) as usize + 1);
         let (first, next) = (vec![NONE; size[0] * size[1]], vec![NONE; points.len()]);
         let mut field = Self { points, low, side, size, first, next };
-        for &stop in stops {
+        // Each comes first in its list: backwards, so that the lists have the order of the numbers, and few are offered in vain.
+        for &stop in stops.iter().rev() {
             let cell = field.cell_of(stop);
             field.next[stop as usize] = field.first[cell];
             field.first[cell] = stop;

@@ -4,7 +4,7 @@
 //! stop and comes back to it; an open one comes from nowhere, or leads there, at no cost. So a move need not know what
 //! kind of tour it changes.
 //!
-//! A fixed way between two stops counts as shorter than nothing by more than any tour is long, so that none without it is better; the
+//! A fixed way between two stops has a negative cost, larger in size than any tour is long, so that none without it is better; the
 //! length of a tour that has all of them is that of its other ways.
 
 use crate::{

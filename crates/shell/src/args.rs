@@ -214,7 +214,7 @@ pub(super) struct TsplibArgs {
 /// What all suites have.
 #[derive(Args)]
 pub(super) struct SuiteArgs {
-    /// Who takes part, with commas between; default: all that can, or of many problems those that are fast enough.
+    /// Who takes part, with commas between; default: all that can; of movingai the graph searches, of tsplib those that change one tour.
     #[arg(long, value_name = "PLANNERS", value_delimiter = ',')]
     pub(super) planners: Vec<String>,
     /// A parameter of all planners that take part, or with `PLANNER.` before it of one of them. Can be given several times.

@@ -77,7 +77,7 @@ pub(super) const LICENSES: &str = "Example:
 pub(super) const BENCH: &str = "Examples:
   forage bench bbob --planners pso,wcpso --dimensions 2,10
   forage bench movingai maps/dao
-  forage bench tsplib tsplib --largest 1000
+  forage bench tsplib tsplib95 --largest 1000
   forage bench movingai --help
 
 `forage bench SUITE --help` shows a suite’s options and more examples.";
@@ -96,9 +96,9 @@ pub(super) const BENCH_MOVINGAI: &str = "Examples:
 The exit code is 1 if an exact planner misses the optimum of a file.";
 
 pub(super) const BENCH_TSPLIB: &str = "Examples:
-  forage bench tsplib tsplib
-  forage bench tsplib tsplib --largest 1000 --planners two-opt,bat,ga --runs 5 --out tours
-  forage bench tsplib tsplib --budget 100 --shard 1/4
+  forage bench tsplib tsplib95
+  forage bench tsplib tsplib95 --largest 1000 --planners two-opt,bat,ga --runs 5 --out tours
+  forage bench tsplib tsplib95 --budget 100 --shard 1/4
 
 The exit code is 1 if a tour is shorter than the published optimum.";
 

@@ -121,7 +121,7 @@ pub(super) fn times(path: &Path, pictures: &[(&str, &[Curve])]) -> Result<(), Fa
 }
 
 /// The curves' colours, told apart by lightness too.
-const MANY: [RGBColor; 7] = [
+pub(super) const MANY: [RGBColor; 7] = [
     RGBColor(0, 98, 155),
     RGBColor(200, 80, 0),
     RGBColor(90, 60, 140),
@@ -131,7 +131,7 @@ const MANY: [RGBColor; 7] = [
     RGBColor(40, 40, 40),
 ];
 /// A curve's piece and gap: whole, long, short, by turns.
-const DASHES: [(u32, u32); 3] = [(1, 0), (12, 5), (3, 3)];
+pub(super) const DASHES: [(u32, u32); 3] = [(1, 0), (12, 5), (3, 3)];
 
 fn over_stops(path: &Path, pictures: &[(&str, &[Curve])]) -> Result<(), Box<dyn Error>> {
     let root = SVGBackend::new(path, SIZE).into_drawing_area();

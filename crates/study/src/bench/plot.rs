@@ -8,22 +8,12 @@ use plotters::{
     prelude::*,
 };
 
-use super::super::failure::Failure;
+use super::super::{
+    chart::{DASHES, MANY},
+    failure::Failure,
+};
 
 const SIZE: (u32, u32) = (900, 560);
-/// Of Okabe and Ito: they can be told apart by everyone.
-const COLOURS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 0, 0),
-];
-/// A curve's piece and gap, when the colours begin again.
-const DASHES: [(u32, u32); 3] = [(1, 0), (12, 5), (3, 3)];
-
 /// An axis: what it is of, from where to where, and whether by logarithms.
 pub(super) struct Axis {
     pub title: &'static str,
@@ -87,7 +77,7 @@ where
     let label = |number: &f64| format!("{}", (number * 1e9).round() / 1e9);
     chart.configure_mesh().x_desc(across).y_desc(up).x_label_formatter(&label).y_label_formatter(&label).draw()?;
     for (k, curve) in curves.iter().enumerate() {
-        let (colour, (piece, gap)) = (COLOURS[k % COLOURS.len()], DASHES[k / COLOURS.len() % DASHES.len()]);
+        let (colour, (piece, gap)) = (MANY[k % MANY.len()], DASHES[k / MANY.len() % DASHES.len()]);
         let style = colour.stroke_width(2);
         chart
             .draw_series(DashedLineSeries::new(curve.points.iter().copied(), piece, gap, style))?

@@ -74,6 +74,19 @@ fn an_exact_search_that_misses_the_optimum_is_a_failure() {
     assert_eq!((output.status.code(), text(&output.stdout).contains("weight=2")), (Some(0), true), "{}", text(&output.stderr));
 }
 
+/// Buckets need not be in order; a stop by the limit is not a missed optimum; a map's path may have backslashes.
+#[test]
+fn the_first_problems_of_each_bucket_are_taken_wherever_they_are() {
+    let (head, lines) = SCEN.split_once('\n').unwrap();
+    let two = lines.lines().take(2).collect::<Vec<_>>().join("\n") + "\n";
+    let folder = problems("movingai-mixed", &format!("{head}\n{two}{two}").replace("maps/room", "maps\\room"));
+    let output = bench(&folder, &["--planners", "a-star", "--per-bucket", "1"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(rows(&folder).iter().map(|row| [row[3].to_owned(), row[4].to_owned()]).collect::<Vec<_>>(), [["0", "1"], ["1", "0"]]);
+    let output = bench(&folder, &["--planners", "a-star", "--set", "iterations=1", "--set", "expand=1"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+}
+
 #[test]
 fn what_is_wrong_is_refused() {
     let folder = problems("movingai-refused", SCEN);

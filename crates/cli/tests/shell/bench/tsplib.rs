@@ -113,6 +113,7 @@ fn what_is_wrong_is_refused() {
         (&folder, &["--largest", "0"], "--largest"),
         (&folder, &["--budget", "0"], "--budget"),
         (&folder, &["--planners", "a-star"], "--planners"),
+        (&empty_large("tsplib-all-large"), &["--planners", "held-karp"], "as many stops as an instance has"),
         (&folder, &["--planners", "two-opt", "--set", "iterations=0"], "iterations"),
     ] {
         let output = bench(folder, more);
@@ -123,4 +124,31 @@ fn what_is_wrong_is_refused() {
     fs::write(folder.join("bad.tsp"), "TYPE: TSP\nDIMENSION: 1\n").unwrap();
     let output = bench(&folder, &[]);
     assert!(output.status.code() == Some(2) && text(&output.stderr).contains("bad.tsp: line 2"), "{}", text(&output.stderr));
+}
+
+/// A folder whose only instance has more stops than an exact tour.
+fn empty_large(name: &str) -> PathBuf {
+    let folder = empty_folder(name);
+    fs::write(folder.join("large.tsp"), round("large", "EUC_2D", [12, 9], "")).unwrap();
+    folder
+}
+
+/// Two instances of the same name, in folders of their own; and a tour that comes after the first run.
+#[test]
+fn instances_are_told_apart_by_their_folders() {
+    let folder = empty_folder("tsplib-same");
+    for (name, size) in [("a", [5, 4]), ("b", [4, 4])] {
+        fs::create_dir(folder.join(name)).unwrap();
+        fs::write(folder.join(name).join("x.tsp"), round("x", "EUC_2D", size, "")).unwrap();
+    }
+    for _ in 0..2 {
+        let output = bench(&folder, &["--planners", "two-opt"]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert_eq!(rows(&folder).iter().map(|row| row[2].to_owned()).collect::<Vec<_>>(), ["b/x", "a/x"]);
+    }
+    let stops: Vec<_> = (1..=18).map(|stop| stop.to_string()).collect();
+    let tour = format!("TYPE: TOUR\nCOMMENT: optimal\nDIMENSION: 18\nTOUR_SECTION\n{}\n-1\nEOF\n", stops.join("\n"));
+    fs::write(folder.join("a/x.opt.tour"), tour).unwrap();
+    let output = bench(&folder, &["--planners", "two-opt"]);
+    assert!(text(&output.stderr).contains("a/x seed 1") && output.status.code() == Some(1), "{}", text(&output.stderr));
 }

@@ -53,6 +53,7 @@ fn map(path: &Path) -> Result<GridScene, Failure> {
 
 /// The map of this name: next to the file, or wherever it is in the folder.
 fn find<'a>(name: &str, scen: &Path, maps: &'a [PathBuf]) -> Option<&'a PathBuf> {
+    let name = &name.replace('\\', "/");
     let file = Path::new(name).file_name()?;
     let mut same = maps.iter().filter(|path| path.file_name() == Some(file));
     let beside = same.clone().find(|path| path.parent() == scen.parent());
@@ -102,7 +103,7 @@ impl Worlds {
         let left = all - problems.len();
         if left > 0 {
             self.notes.push(format!(
-                "{left} of {all} problems of {name} are not run: they begin or end in blocked cells (W is one), or are no way"
+                "{left} of {all} problems of {name} are not run: they begin or end in blocked cells (W is one), or start and goal are the same cell"
             ));
         }
         Ok(Set { name, map: index, cells: map.blocked.len() as u64, problems })

@@ -7,6 +7,7 @@ mod report;
 mod row;
 
 use std::{
+    collections::BTreeMap,
     path::{Path, PathBuf},
     sync::{
         Arc,
@@ -58,13 +59,11 @@ impl Plan {
     fn chosen(&self) -> Vec<[usize; 2]> {
         let mut all = Vec::new();
         for (file, set) in self.worlds.sets.iter().enumerate() {
-            let (mut bucket, mut taken) = (None, 0);
+            let mut taken: BTreeMap<u64, usize> = BTreeMap::new();
             for &(number, problem) in &set.problems {
-                if bucket != Some(problem.bucket()) {
-                    (bucket, taken) = (Some(problem.bucket()), 0);
-                }
-                taken += 1;
-                if self.per_bucket.is_none_or(|most| taken <= most) {
+                let taken = taken.entry(problem.bucket()).or_default();
+                *taken += 1;
+                if self.per_bucket.is_none_or(|most| *taken <= most) {
                     all.push([file, number]);
                 }
             }
@@ -164,7 +163,8 @@ impl Task {
             }
         }
         let seconds = begun.elapsed().as_secs_f64();
-        let exact = (run.entry().exact)(run.parameters());
+        // One that was stopped by its limit has not said that it is done.
+        let exact = (run.entry().exact)(run.parameters()) && run.status() != Status::Exhausted;
         let verdict = run.best().map(|best| scene.judge(&best.solution));
         let length = verdict.filter(|verdict| verdict.feasible).and_then(|verdict| verdict.length);
         Ok(Some(Row {

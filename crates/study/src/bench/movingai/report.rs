@@ -19,7 +19,7 @@ use super::{
         plot::{self, Axis, Curve},
         suite::distinct,
     },
-    row::{DIGITS, Row, TOLERANCE},
+    row::{Row, TOLERANCE},
 };
 
 /// So many bands of buckets at most has the table of the report.
@@ -142,9 +142,8 @@ pub(super) fn write(rows: &[Row], notes: &[String], folder: &Path) -> Result<Vec
     let _ = writeln!(
         text,
         "{} runs on the problems of {files} files. The optimum is the one that the file gives, from cell to cell without cutting corners; gaps \
-         are to it, so planners that go at any angle may be below 0. A result counts as optimal within {TOLERANCE:e} of it, plus {DIGITS:e} of its length for the digits of older files. Planners that \
-         say they are exact missed the optimum in {faults} of {exact} runs. Times are of the machine that it was run on, and are \
-         stepping with starting, without reading the map.\n",
+         are to it, so planners that go at any angle may be below 0. A result counts as optimal within {TOLERANCE:e} of it, or within the digits of an optimum that is given with six. Planners that \
+         say they are exact missed the optimum in {faults} of {exact} runs. Times are of the machine that it was run on, and cover the start and all steps of a run, not the reading of the map.\n",
         rows.len(),
     );
     for note in notes {

@@ -6,8 +6,8 @@ use super::super::{super::rows::Row as Kept, suite::named};
 
 /// How far a length may be from the file's optimum and still be it.
 pub(super) const TOLERANCE: f64 = 1e-4;
-/// The same as a share of the optimum, in addition: older files give six digits.
-pub(super) const DIGITS: f64 = 5e-6;
+/// The same as a share of an optimum that is given with six digits, as in older files: half a unit of the last one, or more.
+const SIX_DIGITS: f64 = 5e-6;
 
 /// What it came to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,7 +20,7 @@ pub struct Row {
     pub file: String,
     /// The problem's number in it, from 0.
     pub problem: usize,
-    /// The bucket that the file puts it in.
+    /// Its bucket: a fourth of its length, as the format has it.
     pub bucket: u64,
     /// The shortest way from cell to cell, as the file gives it.
     pub optimum: f64,
@@ -49,7 +49,9 @@ impl Row {
 
     /// Whether the length is the optimum, as far as the file's digits tell.
     pub(super) fn is_optimal(&self) -> bool {
-        self.length.is_some_and(|length| (length - self.optimum).abs() <= TOLERANCE + DIGITS * self.optimum)
+        let has_six = format!("{:.5e}", self.optimum).parse() == Ok(self.optimum);
+        let tolerance = if has_six { TOLERANCE.max(SIX_DIGITS * self.optimum) } else { TOLERANCE };
+        self.length.is_some_and(|length| (length - self.optimum).abs() <= tolerance)
     }
 
     /// Whether it is another length than the optimum though the planner is exact.

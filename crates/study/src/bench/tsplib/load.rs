@@ -34,7 +34,9 @@ pub(super) fn instances(registry: &Registry, folder: &Path, largest: Option<usiz
     let (mut all, mut notes) = (Vec::new(), Vec::new());
     let (mut larger, mut unknown) = (0, Vec::new());
     for path in files_in(folder, "tsp")? {
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        // In a folder within the folder by that, too: there may be two of the same name.
+        let name = path.strip_prefix(folder).unwrap_or(&path).with_extension("").to_string_lossy().replace('\\', "/");
         let mut files = vec![read(&path)?];
         let tour = path.with_extension("opt.tour");
         if tour.exists() {
@@ -47,7 +49,7 @@ pub(super) fn instances(registry: &Registry, folder: &Path, largest: Option<usiz
             larger += 1;
             continue;
         }
-        let optimum = published(&name).or(given);
+        let optimum = published(&stem).or(given);
         if optimum.is_none() {
             unknown.push(name.clone());
         }

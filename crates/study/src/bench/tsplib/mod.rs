@@ -7,6 +7,7 @@ mod report;
 mod row;
 
 use std::{
+    collections::BTreeMap,
     path::{Path, PathBuf},
     sync::{
         Arc,
@@ -16,6 +17,7 @@ use std::{
 
 use forage::{
     Error, Registry, Run, Setup, Status, Value,
+    kernel::Message,
     scene::{Header, TOUR, TourScene, tour},
 };
 
@@ -66,6 +68,15 @@ impl Plan {
     }
 }
 
+impl Plan {
+    /// Rows with the optima that are known now: the file of a tour may have come after a run.
+    fn measured(&self, rows: &[Row]) -> Vec<Row> {
+        let known: BTreeMap<&str, Option<f64>> = self.instances.iter().map(|one| (one.name.as_str(), one.optimum)).collect();
+        let optimum = |row: &Row| known.get(row.instance.as_str()).copied().unwrap_or(row.optimum);
+        rows.iter().map(|row| Row { optimum: optimum(row), ..row.clone() }).collect()
+    }
+}
+
 impl Suite for Plan {
     type Attempt = Task;
 
@@ -112,19 +123,24 @@ impl Suite for Plan {
                 }
             }
         }
+        if all.is_empty() {
+            let names: Vec<String> = contenders.iter().map(Contender::name).collect();
+            let allowed = Message::verbatim("a planner that takes as many stops as an instance has");
+            return Err(Error::refused("--planners", names.join(","), allowed));
+        }
         Ok(all)
     }
 
     fn write(&self, rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-        report::write(rows, folder)
+        report::write(&self.measured(rows), folder)
     }
 
     fn table(&self, rows: &[Row]) -> String {
-        report::planners(rows).text()
+        report::planners(&self.measured(rows)).text()
     }
 
     fn faults(&self, rows: &[Row]) -> Vec<String> {
-        rows.iter().filter_map(Row::fault).collect()
+        self.measured(rows).iter().filter_map(Row::fault).collect()
     }
 
     fn notes(&self) -> &[String] {
@@ -141,7 +157,7 @@ impl Task {
         Ok(Setup { planner, scene: Arc::new(scene), params, seed: self.seed })
     }
 
-    /// Runs until the budget is spent or the planner comes to its end; `None` if it is told to stop.
+    /// Runs until the budget is spent or the planner comes to its end; `None` if it is stopped.
     fn run_once(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<Run>, Error> {
         let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
         while run.evaluations() < self.budget && run.step(1) == Status::Running {

@@ -115,7 +115,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     let _ = writeln!(
         text,
         "{} runs on {} instances, at most {} evaluations for each stop: tours, or moves of one, that were measured. A run is over earlier where \
-         nothing is left to improve. Lengths are by TSPLIB's distances, in whole numbers; optima are those that TSPLIB publishes. Times are of \
+         nothing is left to improve; one whose first tours alone take more has them all: what was spent stands in the table. Lengths are by TSPLIB's distances, in whole numbers; optima are those that TSPLIB publishes. Times are of \
          the machine that it was run on.\n",
         rows.len(),
         instances(rows).len(),

@@ -34,7 +34,8 @@ pub struct Row {
 impl Row {
     /// How much longer than the optimum, as a share of it.
     pub(super) fn gap(&self) -> Option<f64> {
-        Some(self.length? / self.optimum? - 1.0)
+        let (length, optimum) = (self.length?, self.optimum?);
+        if length == optimum { Some(0.0) } else { Some(length / optimum - 1.0).filter(|gap| gap.is_finite()) }
     }
 
     /// What tells planners apart, with what is set of them.
@@ -55,7 +56,7 @@ impl Kept for Row {
     }
 
     fn computed(&self) -> Self {
-        Self { seconds: 0.0, ..self.clone() }
+        Self { seconds: 0.0, optimum: None, ..self.clone() }
     }
 }
 
