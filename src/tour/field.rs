@@ -1,6 +1,7 @@
-//! Which stops are near, of so many that not all distances can be kept: points in square cells, about two in each.
+//! Which stops are near, of so many that not all distances can be kept: points in boxes within boxes.
 
 use super::problem::Stop;
+use crate::math;
 
 /// The nearest of the stops that are offered; of equally near ones those with lower numbers.
 pub(super) struct Nearest {
@@ -23,122 +24,144 @@ impl Nearest {
         self.found.insert(place, (d, stop));
         self.found.truncate(self.count);
     }
-
-    /// How far the last one is; infinitely, while there are fewer.
-    fn farthest(&self) -> f64 {
-        self.found.get(self.count - 1).map_or(f64::INFINITY, |last| last.0)
-    }
 }
 
-/// No stop: the end of a cell's list.
-const NONE: Stop = Stop::MAX;
+/// So many stops at most are in a box that is not split.
+const FEW: usize = 4;
+/// The root's parent, and the halves of what is not split.
+const NONE: usize = usize::MAX;
 
-/// Stops by the cell that they are in.
+/// The smallest box around some stops.
+struct Area {
+    low: [f64; 2],
+    high: [f64; 2],
+    /// Where its stops are in the order.
+    from: usize,
+    /// How many of them are left.
+    left: usize,
+    parent: usize,
+    /// Its first half; the second one is next to it.
+    halves: usize,
+    /// None of its stops has a lower number.
+    lowest: Stop,
+}
+
+/// Stops in boxes that are split in the middle until there are few in each, so that there are as many boxes as there are stops nearby.
 pub(super) struct Field<'a> {
     points: &'a [[f64; 2]],
-    low: [f64; 2],
-    side: f64,
-    size: [usize; 2],
-    /// The first stop of each cell, and after each stop the next one.
-    first: Vec<Stop>,
-    next: Vec<Stop>,
+    /// The stops by box; in each those that are left before those that are not.
+    order: Vec<Stop>,
+    areas: Vec<Area>,
+    /// In which box each stop is.
+    place: Vec<usize>,
 }
 
 impl<'a> Field<'a> {
     /// Some of the stops at these points.
     #[inline(never)]
     pub(super) fn new(points: &'a [[f64; 2]], stops: &[Stop]) -> Self {
-        let (mut low, mut high) = (points[0], points[0]);
-        for point in points {
+        let mut field = Self { points, order: stops.to_vec(), areas: Vec::new(), place: vec![NONE; points.len()] };
+        field.enclose(NONE, 0, stops.len());
+        let mut aside = Vec::new();
+        let mut at = 0;
+        while at < field.areas.len() {
+            field.split(at, &mut aside);
+            at += 1;
+        }
+        field
+    }
+
+    /// Adds the box around some stops.
+    fn enclose(&mut self, parent: usize, from: usize, left: usize) {
+        let (mut low, mut high, mut lowest) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], Stop::MAX);
+        for &stop in &self.order[from..from + left] {
+            lowest = lowest.min(stop);
+            let point = self.points[stop as usize];
             for axis in 0..2 {
                 low[axis] = low[axis].min(point[axis]);
                 high[axis] = high[axis].max(point[axis]);
             }
         }
-        let cells = points.len() as f64 / 2.0;
-        let spans = [high[0] - low[0], high[1] - low[1]];
-        // All in a row: as many cells along it. All in one place: one cell.
-        let side = (spans[0] * spans[1] / cells).sqrt().max(spans[0].max(spans[1]) / cells);
-        let side = if side > 0.0 { side } else { 1.0 };
-        let size = spans.map(|span| (span / side) as usize + 1);
-        let (first, next) = (vec![NONE; size[0] * size[1]], vec![NONE; points.len()]);
-        let mut field = Self { points, low, side, size, first, next };
-        // Each comes first in its list: backwards, so that the lists have the order of the numbers, and few are offered in vain.
-        for &stop in stops.iter().rev() {
-            let cell = field.cell_of(stop);
-            field.next[stop as usize] = field.first[cell];
-            field.first[cell] = stop;
+        self.areas.push(Area { low, high, from, left, parent, halves: NONE, lowest });
+    }
+
+    fn split(&mut self, at: usize, aside: &mut Vec<Stop>) {
+        let Area { low, high, from, left, .. } = self.areas[at];
+        let own = &mut self.order[from..from + left];
+        if left <= FEW {
+            own.iter().for_each(|&stop| self.place[stop as usize] = at);
+            return;
         }
-        field
-    }
-
-    fn column_and_row(&self, stop: Stop) -> [usize; 2] {
-        let point = self.points[stop as usize];
-        [0, 1].map(|axis| (((point[axis] - self.low[axis]) / self.side) as usize).min(self.size[axis] - 1))
-    }
-
-    fn cell_of(&self, stop: Stop) -> usize {
-        let [column, row] = self.column_and_row(stop);
-        row * self.size[0] + column
+        let spans = [high[0] - low[0], high[1] - low[1]];
+        let axis = usize::from(spans[1] > spans[0]);
+        let middle = low[axis] + spans[axis] / 2.0;
+        aside.clear();
+        let mut first = 0;
+        for k in 0..left {
+            let stop = own[k];
+            if self.points[stop as usize][axis] <= middle {
+                own[first] = stop;
+                first += 1;
+            } else {
+                aside.push(stop);
+            }
+        }
+        own[first..].copy_from_slice(aside);
+        // All in one place, as far as numbers tell it.
+        if first == left {
+            first /= 2;
+        }
+        self.areas[at].halves = self.areas.len();
+        self.enclose(at, from, first);
+        self.enclose(at, from + first, left - first);
     }
 
     /// Takes a stop out.
     pub(super) fn remove(&mut self, stop: Stop) {
-        let (cell, behind) = (self.cell_of(stop), self.next[stop as usize]);
-        let mut at = &mut self.first[cell];
-        while *at != stop {
-            let before = *at as usize;
-            at = &mut self.next[before];
+        let mut at = self.place[stop as usize];
+        let Area { from, left, .. } = self.areas[at];
+        let own = &mut self.order[from..from + left];
+        if let Some(k) = own.iter().position(|&one| one == stop) {
+            own.swap(k, left - 1);
         }
-        *at = behind;
+        while at != NONE {
+            self.areas[at].left -= 1;
+            at = self.areas[at].parent;
+        }
     }
 
     /// The square of the straight line.
-    fn apart(&self, a: Stop, b: Stop) -> f64 {
-        let (a, b) = (self.points[a as usize], self.points[b as usize]);
+    fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
         (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
     }
 
-    /// Offers the stops in a square ring of cells around a stop's; `false` if all of the ring is outside.
-    fn ring(&self, stop: Stop, ring: usize, nearest: &mut Nearest) -> bool {
-        let [column, row] = self.column_and_row(stop).map(|at| at as isize);
-        let ([columns, rows], ring) = (self.size.map(|size| size as isize), ring as isize);
-        let (top, bottom) = (row - ring, row + ring);
-        for at in top.max(0)..=bottom.min(rows - 1) {
-            // Between the first row and the last one only the two ends.
-            let step = if at == top || at == bottom || ring == 0 { 1 } else { 2 * ring };
-            let mut across = column - ring;
-            while across <= column + ring {
-                if (0..columns).contains(&across) {
-                    self.offer(stop, (at * columns + across) as usize, nearest);
-                }
-                across += step;
-            }
-        }
-        ring <= column.max(columns - 1 - column).max(row.max(rows - 1 - row))
+    /// The square of the straight line to a box, and the lowest number in it: nothing in it comes before that.
+    fn before(&self, point: [f64; 2], at: usize) -> (f64, Stop) {
+        let Area { low, high, lowest, .. } = self.areas[at];
+        (Self::apart(point, [0, 1].map(|axis| math::clamp(point[axis], low[axis], high[axis]))), lowest)
     }
 
-    /// Offers the stops in a cell.
-    fn offer(&self, stop: Stop, cell: usize, nearest: &mut Nearest) {
-        let mut other = self.first[cell];
-        while other != NONE {
-            if other != stop {
-                nearest.offer(self.apart(stop, other), other);
-            }
-            other = self.next[other as usize];
+    /// Offers the stops in a box, and in the nearer half first.
+    fn visit(&self, stop: Stop, at: usize, nearest: &mut Nearest) {
+        let (point, area) = (self.points[stop as usize], &self.areas[at]);
+        if area.left == 0 || nearest.found.get(nearest.count - 1).is_some_and(|last| self.before(point, at) > *last) {
+            return;
         }
+        if area.halves == NONE {
+            for &other in self.order[area.from..area.from + area.left].iter().filter(|&&other| other != stop) {
+                nearest.offer(Self::apart(point, self.points[other as usize]), other);
+            }
+            return;
+        }
+        let second = usize::from(self.before(point, area.halves + 1) < self.before(point, area.halves));
+        self.visit(stop, area.halves + second, nearest);
+        self.visit(stop, area.halves + 1 - second, nearest);
     }
 
     /// The nearest stops that are left, with the squares of the straight lines.
     pub(super) fn nearest(&self, stop: Stop, count: usize) -> Vec<(f64, Stop)> {
         let mut nearest = Nearest::new(count);
-        let mut ring = 0;
-        // Whatever is in the next ring is farther than this one is wide.
-        let mut wide = 0.0;
-        while self.ring(stop, ring, &mut nearest) && nearest.farthest() >= wide * wide {
-            ring += 1;
-            wide += self.side;
-        }
+        self.visit(stop, 0, &mut nearest);
         nearest.found
     }
 
@@ -169,7 +192,11 @@ mod tests {
             while left.len() > 1 {
                 let from = left[rng.below(left.len())];
                 let mut others: Vec<_> = left.iter().copied().filter(|&stop| stop != from).collect();
-                others.sort_by(|&a, &b| field.apart(from, a).total_cmp(&field.apart(from, b)).then(a.cmp(&b)));
+                others.sort_by(|&a, &b| {
+                    Field::apart(points[from as usize], points[a as usize])
+                        .total_cmp(&Field::apart(points[from as usize], points[b as usize]))
+                        .then(a.cmp(&b))
+                });
                 others.truncate(10);
                 assert_eq!(field.nearest(from, 10).into_iter().map(|(_, stop)| stop).collect::<Vec<_>>(), others, "{points:?}");
                 let gone = left.swap_remove(rng.below(left.len()));
@@ -177,5 +204,25 @@ mod tests {
             }
             assert!(field.nearest(left[0], 10).is_empty());
         }
+    }
+
+    /// A box is split where its stops are: how many boxes a search enters does not depend on how far away the farthest stop is.
+    #[test]
+    fn stops_in_clusters_are_in_boxes_of_few() {
+        let mut rng = Stream::new(6, 0);
+        let mut points: Vec<_> = (0..20_000).map(|_| [rng.below(1000) as f64, rng.below(1000) as f64]).collect();
+        points.push([1e9, 1e9]);
+        points.extend((0..2_000).map(|_| [7.0, 7.0]));
+        let field = Field::new(&points, &(0..points.len() as Stop).collect::<Vec<_>>());
+        assert!(field.areas.iter().all(|area| area.halves != NONE || area.left <= FEW));
+        let depth = |mut at: usize| {
+            let mut depth = 0;
+            while at != NONE {
+                depth += 1;
+                at = field.areas[at].parent;
+            }
+            depth
+        };
+        assert!(field.place.iter().all(|&at| depth(at) <= 40), "{:?}", field.place.iter().map(|&at| depth(at)).max());
     }
 }

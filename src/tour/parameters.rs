@@ -2,7 +2,8 @@
 
 use crate::{
     describe::{CONVERGED, Formula, Group, Layer, Member, Reading, layers},
-    kernel::{SceneKindId, TourEnds},
+    kernel::{Error, SceneKindId, TourEnds},
+    message,
     params::{Choice, Param, Parameter, Parameters},
     scene::{GRID, Scene, TOUR, TourScene},
 };
@@ -54,6 +55,14 @@ pub(super) const ROUND: Param<Option<TourEnds>> = Param::choice(
     &[None, Some(TourEnds::Closed), Some(TourEnds::Open), Some(TourEnds::FromFirst), Some(TourEnds::FirstToLast)],
     "Where a tour begins and ends.",
 );
+
+/// Refuses ends in view of the scene's fixed ways.
+#[cold]
+pub(super) fn refuse_round(ends: TourEnds) -> Error {
+    let allowed = message!("scene-fixed-ends", "ends that tours with all fixed ways of the scene can have");
+    // The first is none of them.
+    Error::refused(ROUND.name(), ROUNDS[1 + ends as usize].value, allowed)
+}
 
 /// What the ends of the tours are.
 pub(super) fn round(scene: &Scene, settings: &Parameters) -> TourEnds {

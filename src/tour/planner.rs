@@ -55,7 +55,11 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
         settled: Settled::default(),
     };
     if tours.network.is_none() {
-        tours.set_out(Problem::new(scene.get::<TourScene>()?.distances(), tours.round));
+        let given = scene.get::<TourScene>()?;
+        if !given.can_have(tours.round) {
+            return Err(parameters::refuse_round(tours.round));
+        }
+        tours.set_out(Problem::new(given.distances(), tours.round));
         // A run begins with whole tours.
         while let Some((_, search)) = tours.search.as_mut().filter(|(_, search)| search.progress() == Progress::Partly) {
             search.step();

@@ -366,6 +366,28 @@ fn fixed_ways_are_in_every_tour() {
     }
 }
 
+/// Ends that the fixed ways do not allow are refused; a part of a tour is as long as its ways that are not fixed.
+#[test]
+fn ends_that_fixed_ways_do_not_allow_are_refused() {
+    let mut scene = stops(7, &mut Stream::new(19, 0)).get::<TourScene>().unwrap().clone();
+    scene.fixed = vec![[0, 6], [2, 3]];
+    let scene = Arc::new(crate::scene::tour::KIND.scene(Header::named("t", "T"), scene).unwrap());
+    for (round, allowed) in ROUNDS.into_iter().zip([true, true, true, false]) {
+        for entry in tour_planners() {
+            let params: Overrides = [("round", Value::from(round))].into_iter().collect();
+            match Run::new(standard(), Setup { planner: entry.name.into(), scene: Arc::clone(&scene), params, seed: 1 }) {
+                Ok(_) => assert!(allowed, "{} {round}", entry.name),
+                Err(error) => assert!(!allowed && error.field() == "round" && error.to_string().contains("first-to-last"), "{error}"),
+            }
+        }
+    }
+    let mut run = run("held-karp", &scene, &[], 1);
+    while run.step(1) == Status::Running {
+        let partial = run.readings().iter().find(|reading| reading.0 == "partial").map(|reading| reading.1);
+        assert!(partial.is_some_and(|partial| partial >= 0.0), "{partial:?}");
+    }
+}
+
 #[test]
 fn an_optimum_that_is_longer_than_what_is_found_is_none() {
     let text = shipped("random-52").unwrap().to_json();

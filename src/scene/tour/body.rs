@@ -128,10 +128,9 @@ impl TourScene {
         stored.map_or(Ok(()), |stored| self.check_stored(stored))
     }
 
-    /// Fixed ways must be of different stops, and must not meet in a stop with a third one, nor go round.
-    fn check_fixed(&self) -> Result<(), Error> {
-        const INSIDE: usize = usize::MAX;
-        // From each end of a chain of fixed ways its other end; a stop alone is both.
+    /// Fixed ways must be of different stops, and must not meet in a stop with a third one, nor go round. Returns from each end of a
+    /// chain of fixed ways its other end; a stop alone is both, and one that is not at an end has [`INSIDE`].
+    fn check_fixed(&self) -> Result<Vec<usize>, Error> {
         // Of two stops there is one tour anyway, and of more than fit into a matrix none can be fixed.
         let few = if (3..=MAX_MATRIX).contains(&self.len()) { self.len() } else { 0 };
         let mut other: Vec<usize> = (0..few).collect();
@@ -144,7 +143,18 @@ impl TourScene {
                 _ => return Err(Error::refused(format!("fixed[{i}]"), list_of(2), fixed_ways())),
             }
         }
-        Ok(())
+        Ok(other)
+    }
+
+    /// Whether tours with all fixed ways can have such ends: from an end one way leads at most, and fixed ways from one to the other leave
+    /// no other stop out.
+    pub fn can_have(&self, ends: TourEnds) -> bool {
+        let (other, last) = (self.check_fixed().unwrap_or_default(), self.len() - 1);
+        let at = |stop: usize| other.get(stop).copied().unwrap_or(stop);
+        let through = ends == TourEnds::FirstToLast;
+        let begins = through || ends == TourEnds::FromFirst;
+        let short = through && at(0) == last && self.fixed.len() < last;
+        !(short || begins && at(0) == INSIDE || through && at(last) == INSIDE)
     }
 
     /// A stored optimum must be a tour, and as long as it says.
@@ -238,6 +248,9 @@ impl TourScene {
     }
 }
 
+/// In [`TourScene::check_fixed`], a stop with two fixed ways.
+const INSIDE: usize = usize::MAX;
+
 /// What is allowed of fixed ways, and of an order in view of them.
 #[cold]
 pub(super) fn fixed_ways() -> Message {
@@ -250,7 +263,7 @@ pub(super) fn fixed_ways() -> Message {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Scene, standard};
+    use crate::{Scene, kernel::TourEnds, standard};
 
     /// Four stops at the corners of a unit square, and what the file says of the shortest tour.
     fn square(exact: &str) -> Result<Scene, crate::Error> {
@@ -295,6 +308,17 @@ mod tests {
         ] {
             assert_eq!(read(stops, fixed).unwrap_err().field(), format!("fixed[{at}]"), "{fixed} of {stops}");
         }
+        let allowed = |fixed: &str| {
+            let scene = read(4, fixed).unwrap();
+            TourEnds::ALL.map(|ends| scene.get::<super::TourScene>().unwrap().can_have(ends))
+        };
+        // Closed, open, from the first, from the first to the last.
+        assert_eq!(allowed("[[0, 3]]"), [true, true, true, false]);
+        assert_eq!(allowed("[[0, 1], [1, 3]]"), [true, true, true, false]);
+        assert_eq!(allowed("[[0, 1], [1, 2], [2, 3]]"), [true; 4]);
+        assert_eq!(allowed("[[1, 0], [0, 2]]"), [true, true, false, false]);
+        assert_eq!(allowed("[[1, 3], [3, 2]]"), [true, true, true, false]);
+        assert_eq!(allowed("[[1, 2]]"), [true; 4]);
         assert!(read(3, "[[0, 1], [1, 2]]").is_ok() && read(2000, "[[0, 1999]]").is_ok());
     }
 }
