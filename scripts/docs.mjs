@@ -109,11 +109,20 @@ function parameters(list, planner) {
   return table(['parameter', 'default', 'allowed', 'meaning'], rows)
 }
 
+/** How much larger a planner's gap is where the minimum is not in the middle; nothing for planners that were not measured. */
+function centreBias({ centre_bias: bias }) {
+  if (!bias) return ''
+  const shown = ({ value, from, to }) => `${value.toFixed(2)} (${from.toFixed(2)} to ${to.toFixed(2)})`
+  const shifted = `the gap is ${shown(bias.shifted)} times as large where the minimum is not in the middle of the search box`
+  return `[Centre bias](benchmarks.md#centre-bias): ${shifted}, ${shown(bias.rotated)} times where the axes are turned; that of random search: ${bias.random_search.value.toFixed(2)} times.\n\n`
+}
+
 function reference() {
   const { planners, drive, motion } = catalogue()
   const parts = byFamily(planners).map(([name, group]) => {
     const sections = group.map(
-      (p) => `### ${p.name}\n\n${escaped(p.title)}. ${escaped(p.summary)} Source: ${escaped(p.source)}.\n\n${parameters(p.parameters, p)}`,
+      (p) =>
+        `### ${p.name}\n\n${escaped(p.title)}. ${escaped(p.summary)} Source: ${escaped(p.source)}.\n\n${centreBias(p)}${parameters(p.parameters, p)}`,
     )
     return `## ${family(name)[0]}\n\n${sections.join('\n\n')}`
   })

@@ -10,7 +10,9 @@ use crate::{
     params::{Choice, Domain, Object, Parameter, Value, When},
 };
 
-use super::{Case, Color, Column, Entry, EventKind, Follower, Formula, Generator, Layer, Member, Preset, Reading, Registry, layers};
+use super::{
+    Case, CentreBias, Color, Column, Entry, EventKind, Follower, Formula, Generator, Layer, Member, Preset, Reading, Registry, layers,
+};
 
 /// All that a registry lists, without the functions.
 #[derive(Debug, Serialize)]
@@ -113,6 +115,10 @@ struct PlannerView {
     members: &'static [Member],
     /// The kinds of events that it reports.
     events: &'static [EventKind],
+    /// How much it owes to the middle of the search box. Absent: not measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
+    centre_bias: Option<CentreBias>,
 }
 
 impl PlannerView {
@@ -156,6 +162,7 @@ impl PlannerView {
             marks,
             members,
             events,
+            centre_bias: CentreBias::of(name),
         }
     }
 }

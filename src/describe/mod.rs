@@ -6,6 +6,8 @@
 mod case;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) mod catalogue;
+#[cfg(not(target_arch = "wasm32"))]
+mod centre_bias;
 mod color;
 mod entry;
 mod event;
@@ -24,6 +26,8 @@ mod scene_kind;
 pub use case::Case;
 #[cfg(not(target_arch = "wasm32"))]
 pub use catalogue::Catalogue;
+#[cfg(not(target_arch = "wasm32"))]
+pub use centre_bias::{CentreBias, Ratio};
 pub(crate) use color::Hex;
 pub use color::{Color, Rgba, color_at, read_color};
 pub use entry::{Entries, Entry, Start, Suggestion};

@@ -3,11 +3,13 @@
 //! Distributions, quantiles and ranks are those of the `statrs` crate. Nothing here is part of a
 //! run: the bits of a p-value are not promised.
 
+mod bootstrap;
 mod compare;
 mod curves;
 mod summary;
 mod tests_between;
 
+pub use bootstrap::{RESAMPLES, bootstrap};
 pub use compare::{Comparison, Group, GroupSummary, LAST, Pair, Ranks, comparable, compare};
 pub use curves::{Band, Bands, Curve, Reached, bands, reached};
 pub use summary::{Moments, Summary, proportion};

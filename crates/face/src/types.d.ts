@@ -165,6 +165,16 @@ export type Catalogue = {
   motion: DriveEntry
 }
 
+/** How many times larger a planner's gap is on test functions that were changed, with equal evaluations. */
+export type CentreBias = {
+  /** Where the minimum is not in the middle of the search box. */
+  shifted: Ratio
+  /** Where the function's axes are turned. */
+  rotated: Ratio
+  /** What random search, which knows nothing of the middle, has where the minimum is not there. */
+  random_search: Ratio
+}
+
 /** One of a choice's options. */
 export type Choice = {
   /** The value. */
@@ -864,6 +874,8 @@ export type Planner = {
   members: Array<Member>
   /** The kinds of events that it reports. */
   events: Array<EventKind>
+  /** How much it owes to the middle of the search box. Absent: not measured. */
+  centre_bias?: CentreBias
 }
 
 /** A preset: a named set of parameters. */
@@ -899,6 +911,16 @@ export type Quantity = {
   /** The symbol, in TeX. */
   symbol: string
   title: string
+}
+
+/** A ratio with its 95 % interval. */
+export type Ratio = {
+  /** The ratio. */
+  value: number
+  /** Where its interval begins. */
+  from: number
+  /** Where it ends. */
+  to: number
 }
 
 /** Which share of a group's runs had come near enough to the optimum after so many evaluations: the share jumps there. */

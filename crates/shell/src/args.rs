@@ -4,6 +4,9 @@ use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueHint};
 
+use forage::scene::function::MAX_DIMENSION;
+use forage_study::bench::centre_bias;
+
 use super::{examples, names, names::Offered};
 
 /// A laboratory for path planners: swarms, ants, bats and trees, with the same results as in the web page.
@@ -155,6 +158,9 @@ pub(super) enum Suite {
     /// The 24 noiseless functions of COCO
     #[command(after_help = examples::BENCH_BBOB)]
     Bbob(BbobArgs),
+    /// Whether planners are drawn to the middle of the search box, where most test functions have their minimum
+    #[command(after_help = examples::BENCH_CENTRE_BIAS)]
+    CentreBias(CentreBiasArgs),
     /// The problems of MovingAI's .scen files in a folder, against the optima that the files give
     #[command(after_help = examples::BENCH_MOVINGAI)]
     Movingai(MovingaiArgs),
@@ -176,6 +182,21 @@ pub(super) struct BbobArgs {
     pub(super) instances: Option<String>,
     /// Evaluations for each variable.
     #[arg(long, value_name = "N", default_value_t = forage_study::bench::bbob::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    pub(super) budget: u64,
+    #[command(flatten)]
+    pub(super) common: SuiteArgs,
+}
+
+#[derive(Args)]
+pub(super) struct CentreBiasArgs {
+    /// The number of variables.
+    #[arg(long, value_name = "N", default_value_t = centre_bias::DIMENSION, value_parser = variables, allow_negative_numbers = true)]
+    pub(super) dimension: usize,
+    /// How many instances of each form; their numbers, from 1, are the seeds.
+    #[arg(long, value_name = "N", default_value_t = centre_bias::INSTANCES, value_parser = clap::value_parser!(u64).range(2..=1_000))]
+    pub(super) instances: u64,
+    /// Evaluations for each variable.
+    #[arg(long, value_name = "N", default_value_t = centre_bias::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
     pub(super) budget: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
@@ -217,6 +238,9 @@ pub(super) struct SuiteArgs {
     /// Who takes part, with commas between; default: all that can; of movingai the graph searches, of tsplib those that change one tour.
     #[arg(long, value_name = "PLANNERS", value_delimiter = ',')]
     pub(super) planners: Vec<String>,
+    /// A planner of your own, in JavaScript, that takes part: with those of `--planners`, or alone. Can be given several times.
+    #[arg(long, value_name = "FILE.js", value_hint = ValueHint::FilePath)]
+    pub(super) code: Vec<PathBuf>,
     /// A parameter of all planners that take part, or with `PLANNER.` before it of one of them. Can be given several times.
     #[arg(long, value_name = "[PLANNER.]NAME=VALUE")]
     pub(super) set: Vec<String>,
@@ -405,6 +429,11 @@ fn threads(text: &str) -> Result<NonZeroUsize, String> {
 fn many(text: &str) -> Result<NonZeroUsize, String> {
     let number = whole_number(text, 1, 1_000_000)?;
     Ok(usize::try_from(number).ok().and_then(NonZeroUsize::new).unwrap_or(NonZeroUsize::MIN))
+}
+
+fn variables(text: &str) -> Result<usize, String> {
+    let number = whole_number(text, 2, MAX_DIMENSION as u64)?;
+    Ok(usize::try_from(number).unwrap_or(MAX_DIMENSION))
 }
 
 fn runs(text: &str) -> Result<u64, String> {

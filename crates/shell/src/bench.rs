@@ -13,7 +13,7 @@ use forage::{
 };
 use forage_study::{
     bench::{
-        Contender, bbob, movingai,
+        Contender, bbob, centre_bias, movingai, peers,
         suite::{self, Suite},
         tsplib,
     },
@@ -25,10 +25,10 @@ use super::{
     args::{self, BbobArgs, BenchArgs, SuiteArgs},
     failure::{Failure, Outcome},
     files, interrupt,
-    load::read_pairs,
+    load::{self, read_pairs},
     output::{note, print},
     progress,
-    registry::registry,
+    registry::{bring, registry},
     text::quoted,
 };
 
@@ -38,8 +38,15 @@ const ROWS: &str = "rows";
 const SHOWN: usize = 10;
 
 pub(super) fn bench(args: &BenchArgs) -> Outcome {
+    for peer in peers::ALL.iter().filter(|peer| registry().planner(peer.name).is_err()) {
+        bring(peer);
+    }
     match &args.suite {
         args::Suite::Bbob(args) => conduct(&bbob_plan(args)?, &args.common),
+        args::Suite::CentreBias(args) => {
+            let plan = centre_bias::Plan { dimension: args.dimension, instances: args.instances, budget: args.budget };
+            conduct(&plan, &args.common)
+        }
         args::Suite::Movingai(args) => {
             let plan = movingai::Plan::read(&args.folder, args.per_bucket.map(usize::from))?;
             conduct(&plan, &args.common)
@@ -140,8 +147,14 @@ fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
         }
         chosen.push(found.clone());
     }
-    if chosen.is_empty() {
+    if chosen.is_empty() && args.code.is_empty() {
         chosen = S::usual(registry());
+    }
+    for path in &args.code {
+        let name = load::bring(path)?;
+        let found = S::everyone(registry()).into_iter().find(|contender| contender.planner == name);
+        let refused = || Error::refused("--code", name, Message::verbatim("a planner for the suite's kind of scene"));
+        chosen.push(found.ok_or_else(refused)?);
     }
     // What is set of all comes first: what is set of one planner counts more.
     let is_own = |pair: &&String| pair.split('=').next().is_some_and(|left| left.contains('.'));

@@ -76,6 +76,7 @@ pub(super) const LICENSES: &str = "Example:
 
 pub(super) const BENCH: &str = "Examples:
   forage bench bbob --planners pso,wcpso --dimensions 2,10
+  forage bench centre-bias
   forage bench movingai maps/dao
   forage bench tsplib tsplib95 --largest 1000
   forage bench movingai --help
@@ -87,6 +88,11 @@ pub(super) const BENCH_BBOB: &str = "Examples:
   forage bench bbob --planners pso,wcpso --dimensions 2,10 --budget 10000 --out swarms
   forage bench bbob --set pso.w=0.7 --functions 1-5 --instances 1-5
   python3 -m cocopp swarms/coco/pso swarms/coco/wcpso";
+
+pub(super) const BENCH_CENTRE_BIAS: &str = "Examples:
+  forage bench centre-bias
+  forage bench centre-bias --planners pso,wcpso --dimension 2 --budget 100 --out bias
+  forage bench centre-bias --code my-planner.js --planners pso";
 
 pub(super) const BENCH_MOVINGAI: &str = "Examples:
   forage bench movingai maps/dao

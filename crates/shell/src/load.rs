@@ -145,7 +145,7 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
 }
 
 /// Adds the planner of a file's code to those that are known; returns its name.
-fn bring(path: &Path) -> Result<&'static str, Failure> {
+pub(super) fn bring(path: &Path) -> Result<&'static str, Failure> {
     let code = String::from_utf8(files::read(path, LONGEST_CODE)?)
         .map_err(|_| Failure::Refused(format!("{}: this is no text", files::quoted_path(path))))?;
     let entry = own_planner(&code, registry()).map_err(|error| in_file(path, &error))?;

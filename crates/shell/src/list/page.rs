@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use forage::{
     Scene,
-    describe::{Entry, Follower, Generator},
+    describe::{CentreBias, Entry, Follower, Generator, Ratio},
     kernel::SceneKindId,
     params::Parameter,
     scene::{ARM, GridScene},
@@ -102,6 +102,18 @@ fn defaults(parameter: &Parameter, kinds: &[SceneKindId]) -> String {
     format!("{first}; only on {}", names.join(", "))
 }
 
+/// What was measured of a planner, beside random search.
+fn centre_bias(bias: CentreBias) -> String {
+    let shown = |ratio: Ratio| format!("{:.2} ({:.2} to {:.2})", ratio.value, ratio.from, ratio.to);
+    format!(
+        "On functions whose minimum is not in the middle of the search box its gap is {} times as large; that of random search: {:.2} times. \
+         On functions whose axes are turned: {} times.",
+        shown(bias.shifted),
+        bias.random_search.value,
+        shown(bias.rotated)
+    )
+}
+
 fn planner(entry: &Entry, page: &mut Page) {
     page.line(&format!("{}: {}", entry.name, entry.title));
     page.field("Family", family(entry));
@@ -112,6 +124,10 @@ fn planner(entry: &Entry, page: &mut Page) {
     }
     page.line("");
     page.paragraph(entry.summary, 2);
+    if let Some(bias) = CentreBias::of(entry.name) {
+        page.heading("Centre bias (forage bench centre-bias)");
+        page.paragraph(&centre_bias(bias), 2);
+    }
     page.parameters("--set", entry.parameters, entry.kinds);
     if !entry.presets.is_empty() {
         page.heading("Presets (--preset NAME)");

@@ -4,9 +4,14 @@
 //! written that others' tools read.
 
 pub mod bbob;
+pub mod centre_bias;
+mod minimise;
 pub mod movingai;
+pub mod peers;
 mod plot;
+mod recorder;
 pub mod suite;
+mod targets;
 pub mod tsplib;
 
 use std::sync::Arc;

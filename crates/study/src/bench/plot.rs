@@ -57,6 +57,59 @@ pub(super) fn draw(path: &Path, x: &Axis, y: &Axis, curves: &[Curve], legend: Se
     done.map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
 }
 
+/// A value with its interval, on a line of its own.
+pub(super) struct Bar {
+    pub name: String,
+    pub value: f64,
+    pub interval: Option<[f64; 2]>,
+}
+
+/// Draws values with their intervals over a logarithmic axis, one below the other, and a line at 1.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(super) fn draw_ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Failure> {
+    ratios(path, title, bars).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+}
+
+fn ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Box<dyn Error>> {
+    let ends = bars.iter().flat_map(|bar| bar.interval.unwrap_or([bar.value; 2])).filter(|end| *end > 0.0);
+    let (low, high) = ends.fold((0.5_f64, 2.0_f64), |(low, high), end| (low.min(end), high.max(end)));
+    let root = SVGBackend::new(path, (SIZE.0, 70 + 30 * bars.len() as u32)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&root)
+        .margin(14)
+        .x_label_area_size(42)
+        .y_label_area_size(150)
+        .build_cartesian_2d((low / 1.2..high * 1.2).log_scale(), -0.5..bars.len() as f64 - 0.5)?;
+    // The first is at the top.
+    let place = |k: usize| (bars.len() - 1 - k) as f64;
+    let name = |y: &f64| {
+        let k = bars.len() as f64 - 1.0 - y.round();
+        let bar = bars.get(k as usize).filter(|_| k >= 0.0 && (y - y.round()).abs() < 1e-9);
+        bar.map_or(String::new(), |bar| bar.name.clone())
+    };
+    let label = |number: &f64| format!("{}", (number * 1e9).round() / 1e9);
+    chart
+        .configure_mesh()
+        .x_desc(title)
+        .y_labels(2 * bars.len())
+        .disable_y_mesh()
+        .x_label_formatter(&label)
+        .y_label_formatter(&name)
+        .draw()?;
+    chart.draw_series([PathElement::new([(1.0, -0.5), (1.0, bars.len() as f64 - 0.5)], BLACK.mix(0.5))])?;
+    let colour = MANY[0];
+    for (k, bar) in bars.iter().enumerate() {
+        if let Some([low, high]) = bar.interval {
+            chart.draw_series([PathElement::new([(low, place(k)), (high, place(k))], colour.stroke_width(3))])?;
+        }
+        chart.draw_series([Circle::new((bar.value, place(k)), 5, colour.filled())])?;
+    }
+    root.present()?;
+    Ok(())
+}
+
 fn picture<X, Y>(
     path: &Path,
     [across, up]: [&str; 2],

@@ -1,5 +1,12 @@
 /** Text of panels and bars that are loaded when they are asked for. */
 export const closer = {
+  bias: {
+    title: 'Centre bias.',
+    ratio: (value: string, from: string, to: string) => `${value} (${from}–${to})`,
+    shifted: (ratio: string, random: string) =>
+      `On functions whose minimum is not in the middle of the search box its gap is ${ratio} times as large; that of random search: ${random} times.`,
+    rotated: (ratio: string) => `On functions whose axes are turned: ${ratio} times.`,
+  },
   inspect: {
     empty: 'Click a path, a point or a cell on the stage to see what is behind it.',
     close: 'Close the inspection',

@@ -1,5 +1,6 @@
 //! `forage bench`.
 
 mod bbob;
+mod centre_bias;
 mod movingai;
 mod tsplib;

@@ -5,9 +5,11 @@ use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
 use forage::{math, scene::FunctionScene};
 
 use super::{
-    super::super::failure::{Failure, at},
+    super::{
+        super::failure::{Failure, at},
+        targets,
+    },
     row::Row,
-    targets,
 };
 
 /// In steps of a fifth of a decade a line is written when the best falls below the next one.

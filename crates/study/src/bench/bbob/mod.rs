@@ -2,28 +2,23 @@
 
 mod coco;
 mod iohprofiler;
-mod recorder;
 mod report;
 mod row;
-mod targets;
 
 use std::{
     path::{Path, PathBuf},
-    sync::{
-        Arc,
-        atomic::{AtomicBool, Ordering},
-    },
+    sync::{Arc, atomic::AtomicBool},
 };
 
-use self::{recorder::Recorder, row::key};
+use self::row::key;
 use super::{
     super::{failure::Failure, runner::Job},
-    ITERATIONS, iterations_within,
+    minimise::Trial,
     suite::{Attempt, Contender, Suite, check_count, empty},
 };
 use forage::{
-    Error, Registry, Run, Setup, Status, Value,
-    scene::{FUNCTION, FunctionScene, Header},
+    Error, Registry,
+    scene::{FUNCTION, FunctionScene},
 };
 
 pub use row::{Row, TITLES};
@@ -74,7 +69,7 @@ impl Suite for Plan {
         check_count(sizes.into_iter().fold(contenders.len(), usize::saturating_mul))?;
         // One function says it for all.
         for job in (Self { functions: vec![1], instances: vec![1], ..self.clone() }).jobs(registry, contenders) {
-            let setup = job.setup(FunctionScene::bbob(job.function, job.instance, job.dimension)?)?;
+            let setup = job.trial(&job.name()).setup(FunctionScene::bbob(job.function, job.instance, job.dimension)?)?;
             setup.check(registry).map_err(|error| error.within(&job.contender.planner))?;
         }
         Ok(self.jobs(registry, contenders))
@@ -117,53 +112,12 @@ impl Plan {
 }
 
 impl Task {
-    fn setup(&self, scene: FunctionScene) -> Result<Setup, Error> {
-        let name = format!("bbob-{}-{}-{}", self.function, self.dimension, self.instance);
-        let scene = forage::scene::function::KIND.scene(Header::named(&name, &name), scene)?;
-        let Contender { planner, params } = self.contender.clone();
-        Ok(Setup { planner, scene: Arc::new(scene), params, seed: self.instance as u64 })
+    fn name(&self) -> String {
+        format!("bbob-{}-{}-{}", self.function, self.dimension, self.instance)
     }
 
-    fn carry_out(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
-        let known = FunctionScene::bbob(self.function, self.instance, self.dimension)?;
-        let minimum = known.minimum().map_or(0.0, |minimum| minimum.value);
-        let inner = Arc::clone(known.objective());
-        let mut setup = self.setup(known)?;
-        if setup.params.get(ITERATIONS).is_none() {
-            let iterations = iterations_within(&self.registry, &setup, self.budget)?;
-            setup.params.insert(ITERATIONS, Value::Number(iterations as f64));
-        }
-        let recorder = Arc::new(Recorder::new(inner, self.budget));
-        setup.scene = self.setup(FunctionScene::of(Arc::<Recorder>::clone(&recorder), None, None)?)?.scene;
-        recorder.clear();
-        let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
-        loop {
-            let over = recorder.read(|log| log.evaluations >= self.budget || log.best() - minimum <= targets::FINAL);
-            if over || run.step(1) != Status::Running {
-                break;
-            }
-            if stop.load(Ordering::Relaxed) {
-                return Ok(None);
-            }
-        }
-        Ok(Some(recorder.read(|log| {
-            // What was evaluated in the same iteration after it was solved does not count.
-            let course: Vec<_> = log.improvements.iter().map(|(at, value)| (*at, value - minimum)).collect();
-            let solved = targets::hit(&course, targets::FINAL);
-            let until = solved.unwrap_or(log.evaluations);
-            let course: Vec<_> = course.into_iter().filter(|(at, _)| *at <= until).collect();
-            Row {
-                planner: self.contender.planner.clone(),
-                params: self.contender.set(),
-                function: self.function,
-                dimension: self.dimension,
-                instance: self.instance,
-                budget: self.budget,
-                evaluations: until,
-                gap: course.last().map_or(f64::INFINITY, |(_, gap)| *gap),
-                improvements: course.iter().map(|(at, gap)| format!("{at}:{gap:?}")).collect::<Vec<_>>().join(" "),
-            }
-        })))
+    fn trial<'a>(&'a self, name: &'a str) -> Trial<'a> {
+        Trial { registry: &self.registry, contender: &self.contender, name, seed: self.instance as u64, budget: self.budget }
     }
 }
 
@@ -179,7 +133,19 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
-        self.carry_out(stop)
+        let known = FunctionScene::bbob(self.function, self.instance, self.dimension)?;
+        let course = self.trial(&self.name()).run(known, stop)?;
+        Ok(course.map(|course| Row {
+            planner: self.contender.planner.clone(),
+            params: self.contender.set(),
+            function: self.function,
+            dimension: self.dimension,
+            instance: self.instance,
+            budget: self.budget,
+            evaluations: course.evaluations,
+            gap: course.gap(),
+            improvements: course.improvements.iter().map(|(at, gap)| format!("{at}:{gap:?}")).collect::<Vec<_>>().join(" "),
+        }))
     }
 }
 

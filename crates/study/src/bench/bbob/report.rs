@@ -17,9 +17,9 @@ use super::{
         },
         plot::{self, Axis, Curve},
         suite::distinct,
+        targets,
     },
     row::{Row, TITLES},
-    targets,
 };
 
 fn contenders(rows: &[Row]) -> Vec<String> {

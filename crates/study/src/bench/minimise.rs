@@ -1,0 +1,79 @@
+//! A planner on a function within a budget of evaluations: when its best value fell, and how far above the minimum it was.
+
+use std::sync::{
+    Arc,
+    atomic::{AtomicBool, Ordering},
+};
+
+use forage::{
+    Error, Registry, Run, Setup, Status, Value,
+    scene::{FunctionScene, Header},
+};
+
+use super::{ITERATIONS, iterations_within, recorder::Recorder, suite::Contender, targets};
+
+/// A run that is to be carried out.
+pub(super) struct Trial<'a> {
+    pub registry: &'a Arc<Registry>,
+    pub contender: &'a Contender,
+    /// What its scene is called.
+    pub name: &'a str,
+    pub seed: u64,
+    /// The most evaluations that count.
+    pub budget: u64,
+}
+
+/// What came of it.
+pub(super) struct Course {
+    /// How many evaluations there were until it was solved, spent or at its own end.
+    pub evaluations: u64,
+    /// After how many evaluations the best value fell, and how far above the minimum it was then.
+    pub improvements: Vec<(u64, f64)>,
+}
+
+impl Course {
+    /// How far above the minimum the best was in the end.
+    pub fn gap(&self) -> f64 {
+        self.improvements.last().map_or(f64::INFINITY, |(_, gap)| *gap)
+    }
+}
+
+impl Trial<'_> {
+    /// The run's setup on a function.
+    pub fn setup(&self, function: FunctionScene) -> Result<Setup, Error> {
+        let scene = forage::scene::function::KIND.scene(Header::named(self.name, self.name), function)?;
+        let Contender { planner, params } = self.contender.clone();
+        Ok(Setup { planner, scene: Arc::new(scene), params, seed: self.seed })
+    }
+
+    /// Runs until it is [solved](targets::FINAL), has spent the budget or comes to its own end; `None` if it was stopped.
+    pub fn run(&self, known: FunctionScene, stop: &AtomicBool) -> Result<Option<Course>, Error> {
+        let minimum = known.minimum().map_or(0.0, |minimum| minimum.value);
+        let inner = Arc::clone(known.objective());
+        let mut setup = self.setup(known)?;
+        if setup.params.get(ITERATIONS).is_none() {
+            let iterations = iterations_within(self.registry, &setup, self.budget)?;
+            setup.params.insert(ITERATIONS, Value::Number(iterations as f64));
+        }
+        let recorder = Arc::new(Recorder::new(inner, self.budget));
+        setup.scene = self.setup(FunctionScene::of(Arc::<Recorder>::clone(&recorder), None, None)?)?.scene;
+        recorder.clear();
+        let mut run = Run::with_keyframes(self.registry, setup, 0)?;
+        loop {
+            let over = recorder.read(|log| log.evaluations >= self.budget || log.best() - minimum <= targets::FINAL);
+            if over || run.step(1) != Status::Running {
+                break;
+            }
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(recorder.read(|log| {
+            // What was evaluated in the same iteration after it was solved does not count.
+            let mut improvements: Vec<_> = log.improvements.iter().map(|(at, value)| (*at, value - minimum)).collect();
+            let evaluations = targets::hit(&improvements, targets::FINAL).unwrap_or(log.evaluations);
+            improvements.retain(|(at, _)| *at <= evaluations);
+            Course { evaluations, improvements }
+        })))
+    }
+}
