@@ -122,7 +122,7 @@ function reference() {
   const parts = byFamily(planners).map(([name, group]) => {
     const sections = group.map(
       (p) =>
-        `### ${p.name}\n\n${escaped(p.title)}. ${escaped(p.summary)} Source: ${escaped(p.source)}.\n\n${centreBias(p)}${parameters(p.parameters, p)}`,
+        `### ${p.name}\n\n${escaped(p.title)}. ${escaped(p.summary)} Source: ${escaped(p.source)}.${p.evaluation ? ` An evaluation is ${p.evaluation}.` : ''}\n\n${centreBias(p)}${parameters(p.parameters, p)}`,
     )
     return `## ${family(name)[0]}\n\n${sections.join('\n\n')}`
   })

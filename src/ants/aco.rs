@@ -66,6 +66,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| planner::start(start, Variant::TRADITIONAL),
 )
 .family("ants")
+.evaluating(crate::ants::EVALUATION)
 .kinds(KINDS)
 .parameters(&[OWN, WALKS])
 .readings(READINGS)

@@ -72,6 +72,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| planner::start(start, variant(start.parameters)),
 )
 .family("ants")
+.evaluating(crate::ants::EVALUATION)
 .kinds(KINDS)
 .parameters(&[
     &[ANTS.entry(), ITERATIONS.entry(), ALPHA.entry(), BETA.entry(), RHO.entry(), Q.entry()],

@@ -134,6 +134,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| planner::start(start, variant(start.parameters)),
 )
 .family("ants")
+.evaluating(crate::ants::EVALUATION)
 .kinds(KINDS)
 .parameters(&[OWN, WALKS])
 .readings(READINGS)

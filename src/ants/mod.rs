@@ -49,3 +49,6 @@ pub use ground::{Direction, Heuristic};
 pub use planner::start;
 pub(crate) use scouts::Scouts;
 pub use update::{Arrival, Update};
+
+/// What an evaluation of a colony is.
+pub(crate) const EVALUATION: &str = "an ant’s way from the start";

@@ -91,6 +91,8 @@ struct PlannerView {
     /// E.g. `[WCPSO] (1–7)`.
     source: &'static str,
     summary: &'static str,
+    /// What one of its evaluations is, e.g. `a position`. Empty: it does not say.
+    evaluation: &'static str,
     /// The kinds of scene that it runs on.
     kinds: &'static [SceneKindId],
     /// It calls at a scene's stops instead of going from start to goal: grids need two stops at least.
@@ -130,6 +132,7 @@ impl PlannerView {
             family,
             source,
             summary,
+            evaluation,
             kinds,
             stops,
             most_stops,
@@ -149,6 +152,7 @@ impl PlannerView {
             family,
             source,
             summary,
+            evaluation,
             kinds,
             stops,
             most_stops,

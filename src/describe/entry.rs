@@ -26,6 +26,8 @@ pub struct Entry {
     pub source: &'static str,
     /// A summary in one or two sentences.
     pub summary: &'static str,
+    /// What one of its evaluations is, e.g. `a position`: budgets of planners are alike only where this is. Empty: it does not say.
+    pub evaluation: &'static str,
     /// The kinds of scene it runs on.
     pub kinds: &'static [SceneKindId],
     /// Whether it visits a scene's stops instead of going from start to goal.
@@ -86,6 +88,7 @@ impl Entry {
             family: "",
             source: words(source),
             summary: words(summary),
+            evaluation: "",
             kinds: &[],
             stops: false,
             most_stops: None,
@@ -111,6 +114,12 @@ impl Entry {
     #[must_use]
     pub const fn family(self, family: &'static str) -> Self {
         Self { family, ..self }
+    }
+
+    /// Says what one of its evaluations is: `a position`.
+    #[must_use]
+    pub const fn evaluating(self, evaluation: &'static str) -> Self {
+        Self { evaluation: words(evaluation), ..self }
     }
 
     /// Sets the kinds of scene it runs on.

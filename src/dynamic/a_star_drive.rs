@@ -120,6 +120,7 @@ pub const ENTRY: Entry = Entry::new(
     start,
 )
 .family("dynamic")
+.evaluating(crate::search::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[PRINTED.entry(), ITERATIONS.entry()], DRIVE])
 .readings(READINGS)

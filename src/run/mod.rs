@@ -12,6 +12,8 @@ pub mod link;
 mod origin;
 mod outcome;
 mod setup;
+#[cfg(not(target_arch = "wasm32"))]
+mod spending;
 mod start;
 mod stepping;
 mod subtasks;
@@ -24,6 +26,8 @@ pub use curve::Improvement;
 pub use link::Link;
 pub use outcome::Outcome;
 pub use setup::Setup;
+#[cfg(not(target_arch = "wasm32"))]
+pub use spending::{ITERATIONS, Spending};
 pub use stepping::Run;
 pub use subtasks::{run_subtasks, run_subtasks_until, run_to_end};
 #[cfg(not(target_arch = "wasm32"))]

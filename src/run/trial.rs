@@ -36,6 +36,8 @@ pub struct Record {
     pub parameters: Overrides,
     /// Running, or why it stopped.
     pub status: Status,
+    /// The iteration at which it ends at the latest.
+    pub limit: u64,
     /// Iterations taken.
     pub iterations: u64,
     /// Candidate solutions evaluated.
@@ -158,6 +160,7 @@ impl Trial {
             seed: outcome.seed,
             parameters,
             status: outcome.status,
+            limit: self.run.limit(),
             iterations: outcome.iterations,
             evaluations: outcome.evaluations,
             cost: outcome.cost,

@@ -40,6 +40,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| planner::start(start, Heuristic::Octile, start.parameters[WEIGHT], Relaxation::Step),
 )
 .family("search")
+.evaluating(crate::search::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), WEIGHT.entry(), SMOOTH.entry()]])
 .readings(READINGS)

@@ -40,6 +40,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| planner::start(start, Heuristic::Nothing, 1.0, Relaxation::Step),
 )
 .family("search")
+.evaluating(crate::search::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]])
 .readings(READINGS)

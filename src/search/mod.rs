@@ -39,3 +39,6 @@ pub mod theta_star;
 
 pub use planner::start;
 pub use rules::{Heuristic, Relaxation};
+
+/// What an evaluation of a graph search is.
+pub(crate) const EVALUATION: &str = "a cell that is closed";

@@ -41,6 +41,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| planner::start(start, Heuristic::Straight, 1.0, Relaxation::Sight),
 )
 .family("search")
+.evaluating(crate::search::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]])
 .readings(READINGS)

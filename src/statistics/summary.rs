@@ -18,7 +18,7 @@ pub struct Summary {
     pub mean: f64,
     /// The sample's standard deviation, with n − 1 as in Matlab's `std`; `None` for a single number.
     pub std: Option<f64>,
-    /// The 95 % confidence interval of the mean by Student's t; `None` for a single number.
+    /// The 95 % confidence interval of the mean by Student's t, not below 0 where no value is; `None` for a single number.
     pub interval: Option<[f64; 2]>,
     /// The smallest value.
     pub min: f64,
@@ -42,7 +42,8 @@ impl Summary {
         let moments = sorted.iter().fold(Moments::default(), |moments, &x| moments.with(x));
         let mut data = Data::new(sorted);
         let (lower, median, upper) = (data.lower_quartile(), data.median(), data.upper_quartile());
-        Some(Self { count, mean: moments.mean, std: moments.std(), interval: moments.interval(), min, lower, median, upper, max })
+        let interval = moments.interval().map(|[low, high]| [if min < 0.0 { low } else { low.max(0.0) }, high]);
+        Some(Self { count, mean: moments.mean, std: moments.std(), interval, min, lower, median, upper, max })
     }
 }
 

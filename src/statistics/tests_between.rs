@@ -58,7 +58,7 @@ fn approximate(first: usize, second: usize, all: &[(f64, usize)]) -> (f64, f64) 
     let u = sum - n * (n + 1.0) / 2.0;
     let spread = (n * m / 12.0 * (all + 1.0 - ties / (all * (all - 1.0)))).sqrt();
     let z = (u.max(n * m - u) - n * m / 2.0 - 0.5) / spread;
-    (u, (2.0 * (1.0 - Normal::standard().cdf(z))).min(1.0))
+    (u, (2.0 * Normal::standard().sf(z)).min(1.0))
 }
 
 /// The exact p-value of U without ties. By hand: `statrs` 0.19 gives the complement when the first sample is the smaller one,

@@ -393,6 +393,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| encoding::start(start, on),
 )
 .family("swarm")
+.evaluating(crate::swarm::EVALUATION)
 .kinds(KINDS)
 .parameters(&[
     &[POPULATION.entry(), ITERATIONS.entry(), F_MIN.entry(), F_MAX.entry(), PULL.entry(), WALK.entry()],

@@ -85,6 +85,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| encoding::start(start, on),
 )
 .family("swarm")
+.evaluating(crate::swarm::EVALUATION)
 .kinds(KINDS)
 .parameters(&[
     &[POPULATION.entry(), ITERATIONS.entry(), W_LINEAR.entry()],

@@ -489,6 +489,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| encoding::start(start, on),
 )
 .family("swarm")
+.evaluating(crate::swarm::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])

@@ -73,3 +73,6 @@ pub use parameters::{FLIGHT, ITERATIONS, POPULATION};
 pub use paths::EARLY_STOP;
 pub use population::Population;
 pub use quantum::{ltqpso, qpso};
+
+/// What an evaluation of a swarm is.
+pub(crate) const EVALUATION: &str = "a position";

@@ -44,6 +44,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| encoding::start(start, on),
 )
 .family("swarm")
+.evaluating(crate::swarm::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), W.entry(), C1.entry(), C2.entry()], FLIGHT, ENCODED, CHARGED])
 .readings(READINGS)

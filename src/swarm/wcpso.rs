@@ -249,6 +249,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| encoding::start(start, on),
 )
 .family("swarm")
+.evaluating(crate::swarm::EVALUATION)
 .kinds(KINDS)
 .parameters(&[
     &[POPULATION.entry(), ITERATIONS.entry(), W_MAX.entry(), W_MIN.entry(), C_A.entry(), C_B.entry(), C_ALPHA.entry(), C_BETA.entry()],

@@ -467,6 +467,7 @@ pub const ENTRY: Entry = Entry::new(
     },
 )
 .family("tour")
+.evaluating(crate::tour::EVALUATION)
 .kinds(KINDS)
 .parameters(&[OWN, TOURS])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])

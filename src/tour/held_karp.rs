@@ -231,6 +231,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| Ok(planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
 )
 .family("tour")
+.evaluating(crate::tour::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[ITERATIONS.entry()], TOURS])
 .readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, SIZE, PARTIAL])

@@ -422,6 +422,7 @@ pub const ENTRY: Entry = Entry::new(
     },
 )
 .family("tour")
+.evaluating(crate::tour::EVALUATION)
 .kinds(KINDS)
 .parameters(&[
     &[

@@ -88,3 +88,6 @@ pub use parameters::{BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS,
 pub use planner::start;
 pub use problem::{Problem, Stop, Tour};
 pub use search::{Begin, CopySearch, Search};
+
+/// What an evaluation of a tour planner is.
+pub(crate) const EVALUATION: &str = "a tour, or a change of one, that is measured";

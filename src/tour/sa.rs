@@ -327,6 +327,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 )
 .family("tour")
+.evaluating(crate::tour::EVALUATION)
 .kinds(KINDS)
 .parameters(&[
     &[ITERATIONS

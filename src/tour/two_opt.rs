@@ -112,6 +112,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| Ok(planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
 )
 .family("tour")
+.evaluating(crate::tour::EVALUATION)
 .kinds(KINDS)
 .parameters(&[
     &[ITERATIONS.default_to(1000).help("After how many moves it stops at the latest; mostly no move helps before that.").entry()],

@@ -76,3 +76,6 @@ pub use grow::{By, Forest, SampleOutcome, Source};
 pub use method::{Method, Trees};
 pub use space::Space;
 pub use task::Task;
+
+/// What an evaluation of a tree is.
+pub(crate) const EVALUATION: &str = "a straight piece that is tested";

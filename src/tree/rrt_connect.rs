@@ -55,6 +55,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| space::start(start, on),
 )
 .family("tree")
+.evaluating(crate::tree::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[ITERATIONS.entry(), STEP.entry()], FINISH])
 .readings(READINGS)

@@ -101,6 +101,7 @@ pub const ENTRY: Entry = Entry::new(
     |start| space::start(start, on),
 )
 .family("tree")
+.evaluating(crate::tree::EVALUATION)
 .kinds(KINDS)
 .parameters(&[&[ITERATIONS.entry(), STEP.entry(), SAMPLES.entry(), KEEP.entry(), CHOICE.entry(), FALLBACK.entry()], FINISH])
 .readings(READINGS)

@@ -48,6 +48,7 @@ pub const ENTRY: Entry = Entry::new(
     start,
 )
 .family("tree")
+.evaluating(crate::tree::EVALUATION)
 .kinds(&[ARM])
 .parameters(&[
     &[ITERATIONS.entry(), STEP_ANGLE.entry(), GOALS.entry(), RADIUS.entry(), RESOLUTION.entry()],

@@ -38,6 +38,7 @@ pub const ENTRY: Entry = Entry::new(
     start,
 )
 .family("tuning")
+.evaluating(crate::tuning::EVALUATION)
 .kinds(&[GRID])
 .parameters(&[&[
     COLONY.entry(),

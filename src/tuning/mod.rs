@@ -13,3 +13,6 @@ mod swarm;
 mod tests;
 
 pub use entry::ENTRY;
+
+/// What an evaluation is of a planner that tunes another one.
+pub(crate) const EVALUATION: &str = "a run of the colony";

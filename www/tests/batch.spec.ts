@@ -119,11 +119,11 @@ test('the same planner takes part twice, with other parameters; the files name t
 
   const records = [recordsOf(['pso'], 3, { iterations: 40 }), recordsOf(['pso'], 3, { iterations: 40, w: 0.5 })].flat(2)
   const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
-  expect(head).toContain('scene,planner,seed,p.iterations,w,status,iterations,')
+  expect(head).toContain('scene,planner,seed,p.iterations,w,status,limit,iterations,budget,')
   expect(lines.map((line) => line.split(',').at(-1))).toEqual(records.map(({ hash }) => hash))
   expect(lines.map((line) => line.split(',').slice(3, 5).join())).toEqual(['40,', '40,', '40,', '40,0.5', '40,0.5', '40,0.5'])
   const experiment = await download(page, 'toml')
-  expect(experiment).toContain(`scenes = ["${SCENE}"]\nseeds = { from = 1, count = 3 }\n`)
+  expect(experiment).toContain(`scenes = ["${SCENE}"]\nseeds = { from = 1, count = 3 }\nbudget = 6150\n`)
   expect(experiment).toContain('[[planner]]\nname = "pso"\nparams = { iterations = 40 }\n')
   expect(experiment).toContain('[[planner]]\nname = "pso"\nparams = { iterations = 40, w = 0.5 }\n')
 })

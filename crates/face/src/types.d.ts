@@ -852,6 +852,8 @@ export type Planner = {
   /** E.g. `[WCPSO] (1–7)`. */
   source: string
   summary: string
+  /** What one of its evaluations is, e.g. `a position`. Empty: it does not say. */
+  evaluation: string
   /** The kinds of scene that it runs on. */
   kinds: Array<Kind>
   /** It calls at a scene's stops instead of going from start to goal: grids need two stops at least. */
@@ -1058,7 +1060,7 @@ export type Summary = {
   mean: number
   /** The sample's standard deviation, with n − 1 as in Matlab's `std`; `null` for a single number. */
   std: number | null
-  /** The 95 % confidence interval of the mean by Student's t; `null` for a single number. */
+  /** The 95 % confidence interval of the mean by Student's t, not below 0 where no value is; `null` for a single number. */
   interval: [number, number] | null
   /** The smallest value. */
   min: number
@@ -1125,6 +1127,8 @@ export type TrialRecord = {
   parameters: Record<string, ParameterValue>
   /** Running, or why it stopped. */
   status: Status
+  /** The iteration at which it ends at the latest. */
+  limit: number
   /** Iterations taken. */
   iterations: number
   /** Candidate solutions evaluated. */

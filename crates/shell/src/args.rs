@@ -281,6 +281,10 @@ pub(super) struct ExperimentArgs {
     /// Run nothing; merge these parts, in any order, into the file of a single run.
     #[arg(long, value_name = "PART", num_args = 1.., conflicts_with = "jobs", value_hint = ValueHint::FilePath)]
     pub(super) merge: Vec<PathBuf>,
+    /// Write how the best of each run fell over its evaluations: .csv, or .parquet. What is kept of each run is in files with .runs.csv
+    /// behind its name; of parts only those are written, and `--merge` takes them together.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(super) curves: Option<PathBuf>,
     /// Write the statistics as Markdown.
     #[arg(long, value_name = "FILE", conflicts_with = "shard", value_hint = ValueHint::FilePath)]
     pub(super) report: Option<PathBuf>,

@@ -10,7 +10,7 @@ use std::{
 use forage::{Error, Link, Scene, kernel::Message};
 use forage_study::{
     runner::Control,
-    sweep::{self, Kept, Part, Summary, Sweep, read},
+    sweep::{self, Curves, Kept, Part, Summary, Sweep, read},
 };
 use serde_json::json;
 
@@ -37,11 +37,12 @@ pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
     check_outputs(args, &rows, &sources)?;
     let existing = args.merge.iter().chain([&rows].into_iter().filter(|rows| rows.exists()));
     existing.into_iter().try_for_each(|rows| files::check(rows, None))?;
+    let mut curves = args.curves.as_ref().map(|path| Curves::open(path, part, args.fresh)).transpose()?;
     let mut kept = Kept::open(&sweep, part, &rows, args.fresh)?;
     let outcome = if args.merge.is_empty() {
-        run_missing(&sweep, &mut kept, args)
+        run_missing(&sweep, &mut kept, curves.as_mut(), args)
     } else {
-        sweep::merge(&sweep, &mut kept, &args.merge, &interrupt::flag()).map_err(Failure::from)
+        sweep::merge(&sweep, &mut kept, curves.as_ref(), &args.merge, &interrupt::flag()).map_err(Failure::from)
     };
     notes(kept.notes());
     outcome?;
@@ -69,11 +70,11 @@ fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
 }
 
 /// Carries out the runs whose rows are missing.
-fn run_missing(sweep: &Sweep, kept: &mut Kept, args: &ExperimentArgs) -> Result<(), Failure> {
+fn run_missing(sweep: &Sweep, kept: &mut Kept, curves: Option<&mut Curves>, args: &ExperimentArgs) -> Result<(), Failure> {
     let stop = interrupt::flag();
     let bar = progress::bar(&sweep.name);
     let show = |done, total| progress::show(&bar, done, total);
-    let outcome = sweep::carry_out(sweep, kept, args.jobs.map(usize::from), &Control { stop: &stop, progress: &show });
+    let outcome = sweep::carry_out(sweep, kept, curves, args.jobs.map(usize::from), &Control { stop: &stop, progress: &show });
     bar.finish_and_clear();
     Ok(outcome?)
 }
@@ -85,9 +86,15 @@ fn check_outputs(args: &ExperimentArgs, rows: &Path, sources: &[PathBuf]) -> Res
     let mut others: Vec<(&str, &Path)> = sources.iter().map(|path| ("is read", path.as_path())).collect();
     files::check_apart(field, rows, &others)?;
     files::make_folder_of(field, rows)?;
-    let Some(report) = &args.report else { return Ok(()) };
     let damaged = sweep::damaged(rows);
     others.extend([("holds the rows", rows), ("would keep damaged rows", &damaged)]);
+    if let Some(curves) = &args.curves {
+        files::check_apart("--curves", curves, &others)?;
+        files::make_folder_of("--curves", curves)?;
+        files::check_target(curves)?;
+        others.push(("has the curves", curves));
+    }
+    let Some(report) = &args.report else { return Ok(()) };
     others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
     files::check_apart("--report", report, &others)?;
     files::make_folder_of("--report", report)?;

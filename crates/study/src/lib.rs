@@ -50,5 +50,6 @@ pub mod table;
 mod tours;
 mod tuned;
 pub mod wcpso;
+mod within;
 pub mod wolf;
 pub mod wolf_dynamic;

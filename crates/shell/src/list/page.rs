@@ -119,6 +119,9 @@ fn planner(entry: &Entry, page: &mut Page) {
     page.field("Family", family(entry));
     page.field("Source", entry.source);
     page.field("Scenes", &kinds(entry));
+    if !entry.evaluation.is_empty() {
+        page.field("Evaluates", entry.evaluation);
+    }
     if let Some(most) = entry.most_stops {
         page.field("Stops", &format!("at most {most}"));
     }

@@ -6,11 +6,17 @@ use std::sync::{
 };
 
 use forage::{
-    Error, Registry, Run, Setup, Status, Value,
+    Error, Registry, Run, Setup, Status,
     scene::{FunctionScene, Header},
+    swarm::objective::Objective,
 };
 
-use super::{ITERATIONS, iterations_within, recorder::Recorder, suite::Contender, targets};
+use super::{
+    super::within::{Reached, within},
+    recorder::Recorder,
+    suite::Contender,
+    targets,
+};
 
 /// A run that is to be carried out.
 pub(super) struct Trial<'a> {
@@ -50,11 +56,17 @@ impl Trial<'_> {
     pub fn run(&self, known: FunctionScene, stop: &AtomicBool) -> Result<Option<Course>, Error> {
         let minimum = known.minimum().map_or(0.0, |minimum| minimum.value);
         let inner = Arc::clone(known.objective());
-        let mut setup = self.setup(known)?;
-        if setup.params.get(ITERATIONS).is_none() {
-            let iterations = iterations_within(self.registry, &setup, self.budget)?;
-            setup.params.insert(ITERATIONS, Value::Number(iterations as f64));
-        }
+        within(self.registry, self.setup(known)?, self.budget, |setup| self.attempt(setup, minimum, Arc::clone(&inner), stop))
+    }
+
+    /// Runs as it is set up, but on a function that records what is evaluated.
+    fn attempt(
+        &self,
+        mut setup: Setup,
+        minimum: f64,
+        inner: Arc<dyn Objective>,
+        stop: &AtomicBool,
+    ) -> Result<Option<(Course, Reached)>, Error> {
         let recorder = Arc::new(Recorder::new(inner, self.budget));
         setup.scene = self.setup(FunctionScene::of(Arc::<Recorder>::clone(&recorder), None, None)?)?.scene;
         recorder.clear();
@@ -68,12 +80,13 @@ impl Trial<'_> {
                 return Ok(None);
             }
         }
-        Ok(Some(recorder.read(|log| {
+        let course = recorder.read(|log| {
             // What was evaluated in the same iteration after it was solved does not count.
             let mut improvements: Vec<_> = log.improvements.iter().map(|(at, value)| (*at, value - minimum)).collect();
             let evaluations = targets::hit(&improvements, targets::FINAL).unwrap_or(log.evaluations);
             improvements.retain(|(at, _)| *at <= evaluations);
             Course { evaluations, improvements }
-        })))
+        });
+        Ok(Some((course, Reached::of(&run))))
     }
 }

@@ -25,6 +25,9 @@ use super::{
     plan::{Part, Sweep},
 };
 
+/// How many digits a hash has.
+const HASH: usize = 16;
+
 /// Where a row stands.
 #[derive(Debug, Clone, Copy)]
 struct Where {
@@ -272,6 +275,14 @@ impl<'a> Kept<'a> {
         Ok(bytes)
     }
 
+    /// The hash in a run's row: what is last in it.
+    pub(super) fn hash(&self, job: usize) -> Result<String, Failure> {
+        let Some(row) = self.part.find(job).map(|slot| self.rows[slot]).filter(|row| row.length > 0) else { return Ok(String::new()) };
+        let line = String::from_utf8_lossy(&self.bytes(row)?).into_owned();
+        let end = line.trim_end().trim_end_matches(['"', '}']);
+        Ok(end.get(end.len().saturating_sub(HASH)..).unwrap_or_default().to_owned())
+    }
+
     /// Where the rows go.
     pub fn path(&self) -> &Path {
         &self.files[0]
@@ -312,10 +323,15 @@ impl<'a> Kept<'a> {
         (self.rows[slot].length > 0).then(|| self.told[slot])
     }
 
-    /// That it was stopped before all were there; `None` if all are.
-    pub(super) fn unfinished(&self) -> Option<Failure> {
+    /// That not all was carried out.
+    pub(super) fn interrupted(&self) -> Failure {
         let (done, total) = self.counts();
-        (done < total).then(|| Failure::Interrupted { done, total, rows: self.path().to_owned() })
+        Failure::Interrupted { done, total, rows: self.path().to_owned() }
+    }
+
+    /// Whether a run's row is there.
+    pub(super) fn has(&self, job: usize) -> bool {
+        self.part.find(job).is_some_and(|slot| self.rows[slot].length > 0)
     }
 
     /// Refuses a row that the run does not give now.

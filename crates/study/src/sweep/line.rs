@@ -17,9 +17,11 @@ use super::{
 /// What is in front of the parameters,
 const LEAD: [&str; 3] = ["scene", "planner", "seed"];
 /// and what is behind them: a [`Record`]'s fields, and what counts as reached. No times: rows are the same everywhere.
-const RESULTS: [&str; 18] = [
+const RESULTS: [&str; 20] = [
     "status",
+    "limit",
     "iterations",
+    "budget",
     "evaluations",
     "cost",
     "length",
@@ -98,6 +100,7 @@ impl Format {
         });
         let results = RESULTS.iter().map(|&name| match name {
             "within" => Item::Bare(number_text(sweep.within)),
+            "budget" => sweep.allowance(job).map_or(Item::Nothing, |budget| Item::Bare(budget.to_string())),
             _ => item(&known[name]),
         });
         let items: Vec<Item> = lead.chain(parameters).chain(results).collect();
@@ -166,6 +169,10 @@ impl Format {
         if within != ours {
             return Err(Wrong::Other(format!("its `within` is {within}, not {ours}")));
         }
+        let (budget, ours) = (result("budget"), sweep.allowance(job).map_or(String::new(), |budget| budget.to_string()));
+        if budget != ours {
+            return Err(Wrong::Other(format!("its `budget` is {}, not {}", shown(budget), shown(&ours))));
+        }
         let number = |name: &str| match result(name) {
             "" => Ok(None),
             text => text.parse::<f64>().map(Some).map_err(|_| damaged(&format!("{name} is `{text}`, which is no number"))),
@@ -187,6 +194,10 @@ impl Format {
         let (value, reached, deterministic) = (number("value")?, number("reached")?.is_some(), flag("deterministic")?);
         Ok((job, Told { value, reached, exact, by, deterministic }))
     }
+}
+
+fn shown(budget: &str) -> &str {
+    if budget.is_empty() { "that of its own iterations" } else { budget }
 }
 
 /// What is wrong with a line.
@@ -247,10 +258,14 @@ impl From<&Record> for Told {
     }
 }
 
+/// Whether a column that is no parameter has this name.
+pub(super) fn is_taken(name: &str) -> bool {
+    LEAD.contains(&name) || RESULTS.contains(&name)
+}
+
 /// The columns' names. A parameter that is called as something else is, is written as in links: `p.iterations`.
 pub(super) fn columns(sweep: &Sweep) -> Vec<String> {
-    let taken = |name: &str| LEAD.contains(&name) || RESULTS.contains(&name);
-    let parameters = sweep.parameters.iter().map(|name| if taken(name) { format!("p.{name}") } else { name.clone() });
+    let parameters = sweep.parameters.iter().map(|name| if is_taken(name) { format!("p.{name}") } else { name.clone() });
     LEAD.map(str::to_owned).into_iter().chain(parameters).chain(RESULTS.map(str::to_owned)).collect()
 }
 

@@ -7,6 +7,7 @@
 //! Nothing takes time that grows faster than n log n with the number of runs (the heaviest begin first), and of each run
 //! only where its row stands and a few numbers are in memory, not the row.
 
+pub mod curves;
 pub mod kept;
 pub mod line;
 pub mod plan;
@@ -22,70 +23,126 @@ use std::{
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use forage::{
-    kernel::{Error, Stepped},
-    run::trial::{Record, Trial},
+    Setup,
+    kernel::{Error, Message, Stepped},
+    run::{
+        Improvement,
+        trial::{Record, Trial},
+    },
 };
 
 use super::{
     failure::Failure,
     runner::{self, Control, Work},
+    within::{Reached, within},
 };
 
+pub use curves::Curves;
 pub use kept::{Kept, damaged};
 pub use line::Format;
-pub use plan::{Part, Sweep};
+pub use plan::{Budget, Part, Sweep};
 pub use summary::Summary;
 
 impl Work for Sweep {
-    type Found = Record;
+    type Found = (Record, Vec<Improvement>);
 
     fn weight(&self, job: usize) -> u64 {
         self.weight_of(self.cell(job))
     }
 
-    fn run(&self, job: usize, stop: &AtomicBool) -> Result<Option<Record>, Error> {
-        let mut trial = Trial::new(&self.registry, self.setup(job), self.within)?;
-        loop {
-            match trial.step_until(&|| stop.load(Ordering::Relaxed))? {
-                Stepped::Whole => {}
-                Stepped::Partly => return Ok(None),
-                Stepped::Not => return Ok(Some(trial.record())),
-            }
-        }
+    fn run(&self, job: usize, stop: &AtomicBool) -> Result<Option<Self::Found>, Error> {
+        Ok(self.carry_out(job, stop)?.map(|mut trial| (trial.record(), trial.curve().to_vec())))
     }
 }
 
-/// Carries out the runs that are not kept yet, and puts the file in order.
+impl Sweep {
+    /// Carries out a run until its planner or the budget comes to its end; an iteration that was begun is finished. `None` if it was
+    /// stopped.
+    fn carry_out(&self, job: usize, stop: &AtomicBool) -> Result<Option<Trial>, Error> {
+        let Some(budget) = self.allowance(job) else {
+            return self.attempt(self.setup(job), u64::MAX, stop);
+        };
+        within(&self.registry, self.setup(job), budget, |setup| {
+            let trial = self.attempt(setup, budget, stop)?;
+            Ok(trial.map(|mut trial| {
+                let reached = Reached::of(trial.run());
+                (trial, reached)
+            }))
+        })
+    }
+
+    fn attempt(&self, setup: Setup, budget: u64, stop: &AtomicBool) -> Result<Option<Trial>, Error> {
+        let mut trial = Trial::new(&self.registry, setup, self.within)?;
+        while trial.run().evaluations() < budget {
+            match trial.step_until(&|| stop.load(Ordering::Relaxed))? {
+                Stepped::Whole => {}
+                Stepped::Partly => return Ok(None),
+                Stepped::Not => break,
+            }
+        }
+        Ok(Some(trial))
+    }
+}
+
+/// Carries out the runs that are not kept yet, and puts the file in order; with `curves` also those whose curve is not there.
 ///
 /// # Errors
 /// [`Failure::Interrupted`] when it was stopped; a planner that refuses to start, before anything is run or written; a file that
 /// cannot be written, or whose rows come from another version of this program.
-pub fn carry_out(sweep: &Sweep, kept: &mut Kept, threads: Option<usize>, control: &Control) -> Result<(), Failure> {
-    let left = kept.missing().collect::<Vec<_>>();
+pub fn carry_out(
+    sweep: &Sweep,
+    kept: &mut Kept,
+    mut curves: Option<&mut Curves>,
+    threads: Option<usize>,
+    control: &Control,
+) -> Result<(), Failure> {
+    let mut left = kept.missing().collect::<Vec<_>>();
+    if let Some(curves) = &curves {
+        left.extend(curves.missing(kept)?);
+        left.sort_unstable();
+    }
     let pool = runner::pool(threads)?;
     pool.install(|| check_start(sweep, &left, control.stop)).inspect_err(|_| kept.leave())?;
     check_rows(sweep, kept, &pool, control.stop)?;
     kept.begin()?;
     if !left.is_empty() {
         let total = sweep.work(kept.part());
-        runner::carry_out(sweep, left, total, &pool, control, |job, record| kept.append(job, &record))?;
-        if let Some(failure) = kept.unfinished() {
-            return Err(failure);
+        let mut done = 0;
+        let wanted = left.len();
+        runner::carry_out(sweep, left, total, &pool, control, |job, (record, curve)| {
+            if let Some(curves) = &mut curves {
+                curves.append(sweep, job, &record.hash, &curve)?;
+            }
+            done += 1;
+            if kept.has(job) { kept.compare(job, &record) } else { kept.append(job, &record) }
+        })?;
+        if done < wanted {
+            return Err(kept.interrupted());
         }
     }
-    kept.settle()
+    kept.settle()?;
+    curves.map_or(Ok(()), |curves| curves.settle(kept))
 }
 
 /// Makes one file of parts and what is there already.
 ///
 /// # Errors
 /// Parts that are not complete or belong to something else, before anything is written; and as [`carry_out`].
-pub fn merge(sweep: &Sweep, kept: &mut Kept, parts: &[PathBuf], stop: &AtomicBool) -> Result<(), Failure> {
+pub fn merge(sweep: &Sweep, kept: &mut Kept, curves: Option<&Curves>, parts: &[PathBuf], stop: &AtomicBool) -> Result<(), Failure> {
     let pool = runner::pool(None)?;
     let checked = kept.gather(parts).and_then(|()| check_rows(sweep, kept, &pool, stop));
     checked.inspect_err(|_| kept.leave())?;
     kept.begin()?;
-    kept.settle()
+    kept.settle()?;
+    let Some(curves) = curves else { return Ok(()) };
+    match curves.missing(kept)?.len() {
+        0 => curves.settle(kept),
+        missing => {
+            let allowed =
+                format!("a table whose parts are beside it: {missing} runs have no curve; without --merge they are carried out again");
+            Err(Error::refused("--curves", curves.path().display().to_string(), Message::verbatim(allowed)).into())
+        }
+    }
 }
 
 /// Lets each planner begin once with all its parameters on every scene: what it refuses then is known before the first run.
@@ -116,12 +173,11 @@ fn check_rows(sweep: &Sweep, kept: &Kept, pool: &rayon::ThreadPool, stop: &Atomi
     }
     let again = pool.install(|| {
         let jobs: Vec<usize> = lightest.into_iter().flatten().collect();
-        jobs.into_par_iter().map(|job| Ok(sweep.run(job, stop)?.map(|record| (job, record)))).collect::<Result<Vec<_>, Error>>()
+        jobs.into_par_iter().map(|job| Ok(sweep.run(job, stop)?.map(|(record, _)| (job, record)))).collect::<Result<Vec<_>, Error>>()
     })?;
     for found in again {
         let Some((job, record)) = found else {
-            let (done, total) = kept.counts();
-            return Err(Failure::Interrupted { done, total, rows: kept.path().to_owned() });
+            return Err(kept.interrupted());
         };
         kept.compare(job, &record)?;
     }

@@ -6,6 +6,7 @@ use forage::{
     Overrides, Registry, Scene, Setup, Value,
     kernel::{Error, Message},
     params::Parameters,
+    run::Spending,
 };
 
 use super::text::value_text;
@@ -77,6 +78,17 @@ impl Seeds {
     }
 }
 
+/// When runs are stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Budget {
+    /// After as many evaluations as the first planner of the sweep takes with its own iterations on the same scene.
+    First,
+    /// After so many evaluations.
+    Evaluations(u64),
+    /// After their own iterations.
+    Own,
+}
+
 /// Planners × scenes × parameter values × seeds.
 #[derive(Debug)]
 pub struct Sweep {
@@ -88,6 +100,10 @@ pub struct Sweep {
     pub scenes: Vec<Arc<Scene>>,
     /// How near to the exact optimum counts as reached, as a share of it.
     pub within: f64,
+    /// When runs are stopped.
+    pub budget: Budget,
+    /// After how many evaluations runs are stopped on each scene, if they are.
+    pub allowances: Vec<Option<u64>>,
     /// The parameters that any planner sets, in the order of the file.
     pub parameters: Vec<String>,
     pub(super) planners: Vec<Variants>,
@@ -236,12 +252,34 @@ impl Sweep {
         }
     }
 
+    /// After how many evaluations a run is stopped, if it is.
+    pub fn allowance(&self, job: usize) -> Option<u64> {
+        self.allowances[self.place(self.cell(job)).scene]
+    }
+
+    /// Finds out after how many evaluations runs are stopped. A planner that evaluates nothing gives no number.
+    pub(super) fn allow(&mut self) -> Result<(), Error> {
+        let of_scene = |scene: usize| match self.budget {
+            Budget::Own => Ok(None),
+            Budget::Evaluations(number) => Ok(Some(number)),
+            Budget::First => {
+                let cell = self.cell_of(scene, 0);
+                let spending = Spending::of(&self.registry, &self.setup(cell * self.seeds.len()));
+                let spending = spending.map_err(|error| self.placed(cell, error))?;
+                Ok((spending.step > 0).then(|| spending.all()))
+            }
+        };
+        self.allowances = (0..self.scenes.len()).map(of_scene).collect::<Result<_, Error>>()?;
+        Ok(())
+    }
+
     /// Checks each combination on each scene, and weighs it.
     pub(super) fn weigh(&mut self) -> Result<(), Error> {
         let mut weights = Vec::with_capacity(self.cells());
         for cell in 0..self.cells() {
             let (_, parameters) = self.setup(cell * self.seeds.len()).check(&self.registry).map_err(|error| self.placed(cell, error))?;
-            weights.push(weight(&parameters));
+            let weight = self.allowances[self.place(cell).scene].unwrap_or_else(|| weight(&parameters));
+            weights.push(weight.clamp(1, HEAVIEST));
         }
         self.weights = weights;
         Ok(())
@@ -268,6 +306,9 @@ impl Variants {
     }
 }
 
+/// A hundred million of them still add up.
+const HEAVIEST: u64 = 1 << 36;
+
 /// Iterations times those that take part in each, as far as the planner says.
 fn weight(parameters: &Parameters) -> u64 {
     let number = |name: &str| {
@@ -276,8 +317,7 @@ fn weight(parameters: &Parameters) -> u64 {
     };
     let iterations = number("iterations").unwrap_or(1);
     let each = number("population").or_else(|| number("ants")).unwrap_or(1);
-    // A hundred million of them still add up.
-    iterations.saturating_mul(each).clamp(1, 1 << 36)
+    iterations.saturating_mul(each)
 }
 
 /// Every so many-th run.

@@ -18,9 +18,12 @@ use forage::{
 use super::{
     super::failure::Failure,
     line::Format,
-    plan::{MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants},
+    plan::{Budget, MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants},
     text::value_text,
 };
+
+/// More evaluations than these nobody waits for.
+const MOST_BUDGET: u64 = 1_000_000_000_000;
 
 /// Finds the scene that a text stands for.
 pub type Load<'a> = &'a dyn Fn(&str) -> Result<Arc<Scene>, Failure>;
@@ -43,6 +46,7 @@ struct File {
     seeds: Option<Toml>,
     within: Option<Toml>,
     iterations: Option<Toml>,
+    budget: Option<Toml>,
     out: Option<Toml>,
     #[serde(default)]
     planner: Vec<Planner>,
@@ -71,11 +75,23 @@ pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str
     })?;
     let out = given.out.map(|out| plain_text("out", &out).map(PathBuf::from)).transpose()?;
     out.as_deref().map(|out| Format::of("out", out)).transpose()?;
+    let budget = budget(given.budget.as_ref(), given.iterations.is_some())?;
     let (planners, parameters) = planners(registry, &given.planner, given.iterations.as_ref(), &scenes)?;
 
     let registry = Arc::clone(registry);
-    let mut sweep =
-        Sweep { registry, name, scenes, within, parameters, seeds, in_front: in_front(&planners), planners, weights: Vec::new() };
+    let mut sweep = Sweep {
+        registry,
+        name,
+        scenes,
+        within,
+        budget,
+        allowances: Vec::new(),
+        parameters,
+        seeds,
+        in_front: in_front(&planners),
+        planners,
+        weights: Vec::new(),
+    };
     let groups = sweep.planners.iter().map(|planner| planner.count).fold(0, usize::saturating_add);
     let cells = groups.saturating_mul(sweep.scenes.len());
     if cells > MOST_CELLS {
@@ -87,8 +103,24 @@ pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str
         let allowed = format!("at most {MOST} runs, planners × scenes × parameter values × seeds");
         return Err(Error::refused("seeds", format!("a sweep of {runs} runs"), Message::verbatim(allowed)).into());
     }
+    sweep.allow()?;
     sweep.weigh()?;
     Ok(Experiment { sweep, out })
+}
+
+/// Equal evaluations for all, unless the file says otherwise: also by how many iterations all have.
+fn budget(given: Option<&Toml>, iterations: bool) -> Result<Budget, Error> {
+    let allowed = format!("evaluations: a whole number from 1 to {MOST_BUDGET}; \"first\" or \"own\"");
+    match given {
+        None if iterations => Ok(Budget::Own),
+        None => Ok(Budget::First),
+        Some(given) => match (given.as_str(), given.as_integer().and_then(|number| u64::try_from(number).ok())) {
+            (Some("first"), _) => Ok(Budget::First),
+            (Some("own"), _) => Ok(Budget::Own),
+            (_, Some(number)) if (1..=MOST_BUDGET).contains(&number) => Ok(Budget::Evaluations(number)),
+            _ => Err(refused("budget", given, &allowed)),
+        },
+    }
 }
 
 /// A TOML error in one line, with its place.

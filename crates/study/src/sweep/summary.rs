@@ -5,7 +5,7 @@ use std::{fmt::Write, path::PathBuf};
 use serde::Serialize;
 
 use forage::{
-    Overrides,
+    Overrides, Registry,
     kernel::ReferenceOptimum,
     statistics::{Comparison, Friedman, Group, GroupSummary, Pair, comparable, compare, friedman},
 };
@@ -51,6 +51,8 @@ pub struct Summary {
 pub struct OnScene {
     /// The scene's name.
     pub scene: String,
+    /// After how many evaluations runs were stopped; `None`: after their own iterations.
+    pub budget: Option<u64>,
     /// Planners and parameters.
     pub groups: Vec<OfGroup>,
     /// Each two of them that draw lots; the correction is for the scene's pairs. `None` of more than thirty groups.
@@ -66,6 +68,8 @@ pub struct OfGroup {
     pub planner: String,
     /// The parameters that the sweep sets.
     pub parameters: Overrides,
+    /// What one of the planner's evaluations is; empty: it does not say.
+    pub evaluation: &'static str,
     /// Whether its runs differ at all: a test of what is the same each time says nothing.
     pub draws_lots: bool,
     /// Which optimum it is measured by; `None` where there is none.
@@ -88,7 +92,8 @@ impl Summary {
         };
         let scenes = (0..sweep.scenes.len()).map(|scene| OnScene {
             scene: sweep.scenes[scene].name().to_owned(),
-            ..OnScene::of(groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
+            budget: sweep.allowances[scene],
+            ..OnScene::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
         });
         let scenes: Vec<OnScene> = scenes.collect();
         let draws = |group: &usize| scenes.iter().any(|scene| scene.groups[*group].draws_lots);
@@ -147,7 +152,7 @@ impl Summary {
     pub fn text(&self) -> String {
         let mut text = format!("{}\n", self.heading());
         self.tables().iter().for_each(|table| text.extend(["\n", &table.text()]));
-        self.left_out().iter().for_each(|note| text.extend(["\n", note, "\n"]));
+        self.notes().iter().for_each(|note| text.extend(["\n", note, "\n"]));
         text
     }
 
@@ -155,13 +160,36 @@ impl Summary {
     pub fn markdown(&self) -> String {
         let mut text = format!("# {}\n", self.heading());
         self.tables().iter().for_each(|table| text.extend(["\n", &table.markdown()]));
-        self.left_out().iter().for_each(|note| text.extend(["\n", note, "\n"]));
+        self.notes().iter().for_each(|note| text.extend(["\n", note, "\n"]));
         escape_lines(&text)
     }
 
-    fn left_out(&self) -> Vec<String> {
+    /// What an evaluation is, where it decides how long runs are.
+    fn evaluations(&self) -> Option<String> {
+        let scene = self.scenes.iter().find(|scene| scene.budget.is_some())?;
+        let mut things: Vec<(&str, Vec<&str>)> = Vec::new();
+        for OfGroup { planner, evaluation, .. } in scene.groups.iter().filter(|group| !group.evaluation.is_empty()) {
+            match things.iter_mut().find(|(thing, _)| thing == evaluation) {
+                Some((_, whose)) if whose.contains(&planner.as_str()) => {}
+                Some((_, whose)) => whose.push(planner),
+                None => things.push((evaluation, vec![planner])),
+            }
+        }
+        let what = match &things[..] {
+            [] => return None,
+            [(thing, _)] => format!("An evaluation is {thing}."),
+            _ => {
+                let things: Vec<_> = things.iter().map(|(thing, whose)| format!("{thing} ({})", whose.join(", "))).collect();
+                format!("What an evaluation is differs: {}.", things.join("; "))
+            }
+        };
+        Some(format!("{what} An iteration that was begun is finished."))
+    }
+
+    fn notes(&self) -> Vec<String> {
         let groups = self.scenes.first().map_or(0, |scene| scene.groups.len());
         let mut notes = Vec::new();
+        notes.extend(self.evaluations());
         for scene in &self.scenes {
             let names = scene.groups.iter().filter(|group| !group.draws_lots).map(|group| group.summary.name.as_str());
             let names: Vec<&str> = names.collect();
@@ -181,7 +209,7 @@ impl Summary {
 }
 
 impl OnScene {
-    fn of(told: Vec<((&str, Pairs), Vec<Told>)>) -> Self {
+    fn of(registry: &Registry, told: Vec<((&str, Pairs), Vec<Told>)>) -> Self {
         let mut groups = Vec::with_capacity(told.len());
         let mut reached = Vec::with_capacity(told.len());
         let mut optimum = Optimum::None;
@@ -206,6 +234,7 @@ impl OnScene {
             (groups.chunks(1).flat_map(|group| compare(group).groups).collect(), None)
         };
         let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, draws_lots, measured), summary)| OfGroup {
+            evaluation: registry.planner(&planner).map_or("", |entry| entry.evaluation),
             planner,
             parameters,
             draws_lots,
@@ -213,7 +242,7 @@ impl OnScene {
             reached: measured.map(|(_, near)| near),
             summary,
         });
-        Self { scene: String::new(), groups: groups.collect(), pairs, optimum }
+        Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, optimum }
     }
 
     fn table(&self, within: f64) -> Table {
@@ -245,7 +274,9 @@ impl OnScene {
         let first = measured.next();
         let differ = measured.any(|by| Some(by) != first);
         let whose = if differ { ", which is not the same for all: see the last column" } else { "" };
-        let title = format!("{}: values of the feasible runs; from, to: 95 % confidence; reached: within {near}{whose}", self.scene);
+        let budget = self.budget.map_or("each after its own iterations".to_owned(), |budget| format!("each after {budget} evaluations"));
+        let title =
+            format!("{}: values of the feasible runs, {budget}; from, to: 95 % confidence; reached: within {near}{whose}", self.scene);
         let columns = if differ { &COLUMNS[..] } else { &COLUMNS[..15] };
         let mut table = Table::new(self.scene.clone(), title, columns);
         for group in &self.groups {
@@ -313,11 +344,6 @@ fn shown(number: f64) -> Cell {
     Cell::Significant(number, 4)
 }
 
-/// What is below 1e-15 is only known to be small.
 fn probability(p: f64) -> String {
-    match p {
-        1e-4.. => format!("{p:.4}"),
-        1e-15.. => format!("{p:.1e}"),
-        _ => "< 1e-15".to_owned(),
-    }
+    if p < 1e-4 { significant(p, 2) } else { format!("{p:.4}") }
 }

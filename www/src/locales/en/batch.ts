@@ -133,7 +133,6 @@ export const batch = {
     no: 'no',
     caption: 'Pairs of planners',
     note: 'Wilcoxon’s rank-sum test (Mann and Whitney’s U), two-sided; runs without a feasible result rank last, and values that differ by rounding alone are ties. Corrected for the number of pairs after Holm (1979).',
-    below: (p: string) => `< ${p}`,
     equal: (p: string) => `= ${p}`,
     looked: (counts: readonly string[]) =>
       `These tests were seen before, with ${list(counts)} seeds: this is look ${counts.length + 1}. Adding seeds until something differs finds differences that are none more often than in 5 of 100 cases. To be sure, choose another first seed and the number of seeds beforehand.`,

@@ -200,7 +200,7 @@ fn rows_of_another_writer_are_not_cut_up() {
             }
         };
         let control = Control { stop: &std::sync::atomic::AtomicBool::new(false), progress: &progress };
-        sweep::carry_out(&sweep, &mut kept, Some(2), &control).unwrap();
+        sweep::carry_out(&sweep, &mut kept, None, Some(2), &control).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), whole);
         assert!(kept.notes().join(" ").contains("another program wrote in it"));
     }

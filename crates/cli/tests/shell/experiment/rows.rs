@@ -16,7 +16,7 @@ fn rows_are_in_the_order_of_the_file_with_the_same_bytes_whatever_the_threads() 
     carry_out(&folder, &["--jobs", "1"]);
     let out = folder.join("sweep.csv");
     let one = fs::read(&out).unwrap();
-    let heading = "scene,planner,seed,p.iterations,w,c1,population,status,iterations,evaluations,cost,length,value,feasible,\
+    let heading = "scene,planner,seed,p.iterations,w,c1,population,status,limit,iterations,budget,evaluations,cost,length,value,feasible,\
                    clearance,exact,exact_by,gap,within,reached,reached_iteration,settled,turns,deterministic,hash\n";
     assert!(text(&one).starts_with(heading), "{}", text(&one));
     let mut expected = Vec::new();

@@ -16,7 +16,7 @@ use std::{
 };
 
 use forage::{
-    Error, Registry, Run, Setup, Status, Value,
+    Error, Registry, Run, Setup, Status,
     kernel::Message,
     scene::{Header, TOUR, TourScene, tour},
 };
@@ -28,15 +28,16 @@ use self::{
     row::key,
 };
 use super::{
-    super::{failure::Failure, runner::Job},
-    ITERATIONS, iterations_within,
+    super::{
+        failure::Failure,
+        runner::Job,
+        within::{Reached, within},
+    },
     suite::{Attempt, Contender, Suite, check_count},
 };
 
 /// Evaluations for each stop, unless it is said otherwise.
 pub const BUDGET: u64 = 1_000;
-/// So often a run begins again with more iterations because its limit came before the budget was spent.
-const AGAIN: usize = 4;
 
 /// The instances of a folder.
 pub struct Plan {
@@ -158,53 +159,32 @@ impl Task {
     }
 
     /// Runs until the budget is spent or the planner comes to its end; `None` if it is stopped.
-    fn run_once(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<Run>, Error> {
+    fn attempt(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<(Row, Reached)>, Error> {
+        let scene = Arc::clone(&setup.scene);
+        #[expect(clippy::disallowed_types, reason = "what it takes is measured, and is no part of the result")]
+        let begun = std::time::Instant::now();
         let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
         while run.evaluations() < self.budget && run.step(1) == Status::Running {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
         }
-        Ok(Some(run))
-    }
-
-    fn carry_out(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
-        let mut setup = self.setup()?;
-        let is_set = setup.params.get(ITERATIONS).is_some();
-        let mut iterations = if is_set { 0 } else { iterations_within(&self.registry, &setup, self.budget)? };
-        let scene = Arc::clone(&setup.scene);
-        for again in 0.. {
-            if !is_set {
-                setup.params.insert(ITERATIONS, Value::Number(iterations as f64));
-            }
-            #[expect(clippy::disallowed_types, reason = "what it takes is measured, and is no part of the result")]
-            let begun = std::time::Instant::now();
-            let Some(run) = self.run_once(setup.clone(), stop)? else { return Ok(None) };
-            let seconds = begun.elapsed().as_secs_f64();
-            // The first step said that the others take more evaluations than they did.
-            let spent = run.evaluations();
-            let most = super::most_iterations(&self.registry, &setup.planner)?;
-            if !is_set && again < AGAIN && spent < self.budget && run.iteration() >= run.limit() && iterations < most {
-                let more = iterations as f64 * (self.budget as f64 / spent.max(1) as f64).min(100.0) * 1.1;
-                iterations = (more as u64).max(iterations + 1).min(most);
-                continue;
-            }
-            let verdict = run.best().map(|best| scene.judge(&best.solution));
-            return Ok(Some(Row {
-                planner: self.contender.planner.clone(),
-                params: self.contender.set(),
-                instance: self.instance.name.clone(),
-                stops: self.instance.tour.len(),
-                seed: self.seed,
-                budget: self.budget,
-                optimum: self.instance.optimum,
-                length: verdict.filter(|verdict| verdict.feasible).and_then(|verdict| verdict.length),
-                iterations: run.iteration(),
-                evaluations: run.evaluations(),
-                seconds,
-            }));
-        }
-        Ok(None)
+        let seconds = begun.elapsed().as_secs_f64();
+        let verdict = run.best().map(|best| scene.judge(&best.solution));
+        let row = Row {
+            planner: self.contender.planner.clone(),
+            params: self.contender.set(),
+            instance: self.instance.name.clone(),
+            stops: self.instance.tour.len(),
+            seed: self.seed,
+            budget: self.budget,
+            optimum: self.instance.optimum,
+            length: verdict.filter(|verdict| verdict.feasible).and_then(|verdict| verdict.length),
+            iterations: run.iteration(),
+            evaluations: run.evaluations(),
+            seconds,
+        };
+        Ok(Some((row, Reached::of(&run))))
     }
 }
 
@@ -220,7 +200,7 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
-        self.carry_out(stop)
+        within(&self.registry, self.setup()?, self.budget, |setup| self.attempt(setup, stop))
     }
 }
 

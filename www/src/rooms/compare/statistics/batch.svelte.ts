@@ -204,7 +204,7 @@ export class Batch {
   }
 
   private async ask(): Promise<void> {
-    const { plan, active, worker } = this.comparison
+    const { plan, active, allowance, worker } = this.comparison
     if (!plan) return
     const groups = active
       .map(({ entrant, label, key, params }) => ({
@@ -223,7 +223,7 @@ export class Batch {
     }
     const relative = inGaps(plan, groups)
     const answer = await worker.summarise(groups, relative)
-    this.shown = shownOf(plan, groups, answer, this.looks.at(plan, groups), relative)
+    this.shown = shownOf({ plan, allowance }, groups, answer, this.looks.at(plan, groups), relative)
   }
 }
 

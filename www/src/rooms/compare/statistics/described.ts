@@ -6,9 +6,9 @@ import type { Shown } from './shown'
 
 /** What goes with a figure of these results. */
 export function describedOf(shown: Shown, chart: string, caption: string): Described {
-  const { plan, groups } = shown
+  const { plan, groups, allowance } = shown
   const of = groups.map(({ label }) => label).join(', ')
-  const budget = typeof plan.budget === 'number' ? [text.budget(number(plan.budget))] : []
+  const budget = allowance === null ? [] : [text.budget(number(allowance))]
   return {
     name: `${nameOf(shown)}-${chart}`,
     caption: [

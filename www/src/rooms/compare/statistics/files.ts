@@ -7,7 +7,9 @@ import type { Shown } from './shown'
 const LEAD = ['scene', 'planner', 'seed'] as const
 const RESULTS = [
   'status',
+  'limit',
   'iterations',
+  'budget',
   'evaluations',
   'cost',
   'length',
@@ -56,8 +58,8 @@ function tableOf(shown: Shown): Table {
   // Those that any entrant sets, in the order in which they are met.
   const names = [...new Set(shown.groups.flatMap(({ params }) => Object.keys(params)))]
   const taken = (name: string): boolean => ([...LEAD, ...RESULTS] as string[]).includes(name)
-  const cells = (record: TrialRecord, keys: readonly (keyof TrialRecord | 'within')[]): Table['rows'][number] =>
-    keys.map((key) => (key === 'within' ? WITHIN : (record[key] as ParameterValue | null)))
+  const cells = (record: TrialRecord, keys: readonly (keyof TrialRecord | 'within' | 'budget')[]): Table['rows'][number] =>
+    keys.map((key) => (key === 'within' ? WITHIN : key === 'budget' ? shown.allowance : (record[key] as ParameterValue | null)))
   return {
     columns: [...LEAD, ...names.map((name) => (taken(name) ? `p.${name}` : name)), ...RESULTS],
     rows: shown.groups.flatMap(({ runs, params }) =>
@@ -79,14 +81,26 @@ export function jsonLines(shown: Shown): string {
 /** Bare keys are letters, digits, dashes and underscores. */
 const key = (name: string): string => (/^[\w-]+$/.test(name) ? name : JSON.stringify(name))
 
-/** `scene`: a name that ships, or the path of the file that goes with it. */
-export function toml({ plan, groups }: Shown, name: string, scene: string): string {
+/**
+ * `scene`: a name that ships, or the path of the file that goes with it. `iterations`: those of a planner that is not set to others; in the
+ * shell a budget would choose them.
+ */
+export function toml(
+  { plan, groups, allowance }: Shown,
+  name: string,
+  scene: string,
+  iterations: (planner: string) => ParameterValue | undefined,
+): string {
   const lines = [
     `# ${text.save.tomlHead} ${name}.toml`,
     `scenes = [${JSON.stringify(scene)}]`,
     `seeds = { from = ${plan.from}, count = ${plan.count} }`,
+    `budget = ${allowance ?? '"own"'}`,
     ...groups.flatMap(({ planner, params }) => {
-      const set = Object.entries(params).map(([of, value]) => `${key(of)} = ${json(value)}`)
+      const usual = allowance === null ? undefined : iterations(planner)
+      const set = Object.entries(usual === undefined ? params : { iterations: usual, ...params }).map(
+        ([of, value]) => `${key(of)} = ${json(value)}`,
+      )
       return ['', '[[planner]]', `name = ${JSON.stringify(planner)}`, ...(set.length > 0 ? [`params = { ${set.join(', ')} }`] : [])]
     }),
   ]

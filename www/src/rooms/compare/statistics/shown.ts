@@ -28,6 +28,8 @@ export interface ShownGroup extends Group {
 /** The results at one moment. */
 export interface Shown {
   plan: Plan
+  /** Evaluations at which runs were stopped; null: by their own iterations. */
+  allowance: number | null
   /** By the gaps to each run's own optimum: summaries, tests and curves. */
   relative: boolean
   groups: ShownGroup[]
@@ -48,7 +50,13 @@ export function fences({ lower, upper }: Summary): [number, number] {
 export const inGaps = ({ maps }: Plan, groups: readonly Group[]): boolean =>
   maps !== null && groups.every(({ rows }) => rows.every(({ record }) => record.value === null || record.gap !== null))
 
-export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered, looked: readonly number[], relative: boolean): Shown {
+export function shownOf(
+  { plan, allowance }: Pick<Shown, 'plan' | 'allowance'>,
+  groups: readonly Group[],
+  answer: Answered,
+  looked: readonly number[],
+  relative: boolean,
+): Shown {
   // What runs are measured by: on maps of their own they may have nothing in common.
   const common = (rows: readonly Row[]): number | null => {
     const exact = rows[0]?.record.exact ?? null
@@ -56,6 +64,7 @@ export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered, 
   }
   return {
     plan,
+    allowance,
     answer,
     looked,
     relative,

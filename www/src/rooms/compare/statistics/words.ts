@@ -3,8 +3,6 @@ import type { Measure } from '../../../render/plot/statistics/scale'
 
 const LEAST = 4
 const MOST = 10
-/** Smaller ones say no more. */
-const LEAST_P = 1e-12
 
 /** So many significant digits that values which lie close together can be told apart. */
 export function digitsFor(values: readonly number[]): number {
@@ -18,5 +16,4 @@ export function digitsFor(values: readonly number[]): number {
 export const told = (value: number | null, measure: Measure, digits?: number): string =>
   measure === 'gap' && value !== null ? percent(value) : number(value, digits)
 
-export const probability = (p: number): string => (p < LEAST_P ? number(LEAST_P, 2).replace(/^1\.0×|^1×/, '') : number(p, 3))
-export const isTiny = (p: number): boolean => p < LEAST_P
+export const probability = (p: number): string => number(p, 3)

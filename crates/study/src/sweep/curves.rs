@@ -1,0 +1,327 @@
+//! How the best of each run fell: kept run by run beside the rows, and written as one table, CSV or Parquet.
+
+use std::{
+    collections::BTreeMap,
+    fs::{self, File},
+    io,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+use forage::{
+    Value,
+    kernel::{Error, Message},
+    run::Improvement,
+};
+use parquet::{
+    basic::{LogicalType, Repetition, Type as Physical},
+    data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type},
+    errors::ParquetError,
+    file::{properties::WriterProperties, writer::SerializedFileWriter, writer::SerializedRowGroupWriter},
+    schema::types::{Type, TypePtr},
+};
+use serde::{Deserialize, Serialize};
+
+use super::{
+    super::{
+        failure::{Failure, at},
+        rows::{Row, Rows},
+    },
+    kept::Kept,
+    plan::{Part, Sweep},
+    text::{number_text, value_text},
+};
+
+/// What is in front of the parameters.
+const LEAD: [&str; 3] = ["scene", "planner", "seed"];
+/// What is behind them.
+const POINT: [&str; 3] = ["iteration", "evaluations", "value"];
+/// So many points are written at once.
+const AT_ONCE: usize = 1 << 20;
+
+/// How the table is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Csv,
+    Parquet,
+}
+
+/// A run's curve, as it is kept.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Course {
+    run: String,
+    /// The run's hash: that of its row.
+    hash: String,
+    /// `iteration:evaluations:value`, with blanks between.
+    points: String,
+}
+
+impl Row for Course {
+    fn key(&self) -> String {
+        self.run.clone()
+    }
+}
+
+impl Course {
+    fn points(&self) -> impl Iterator<Item = (u64, u64, f64)> {
+        self.points.split(' ').filter_map(|point| {
+            let mut parts = point.split(':');
+            Some((parts.next()?.parse().ok()?, parts.next()?.parse().ok()?, parts.next()?.parse().ok()?))
+        })
+    }
+}
+
+/// The curves of a sweep's runs.
+pub struct Curves {
+    path: PathBuf,
+    format: Format,
+    part: Part,
+    rows: Rows<Course>,
+    known: BTreeMap<String, Course>,
+}
+
+impl Curves {
+    /// Opens, beside the table, what is kept of each run, from which the table is written in the end; `fresh`: throws that away. Of parts
+    /// there is no table; the whole takes what is kept of all of them.
+    ///
+    /// # Errors
+    /// A file that ends in something else than `.csv` or `.parquet`; as [`Rows::open`].
+    pub fn open(path: &Path, part: Part, fresh: bool) -> Result<Self, Failure> {
+        let format = match path.extension().and_then(|ending| ending.to_str()) {
+            Some("csv") => Format::Csv,
+            Some("parquet") => Format::Parquet,
+            _ => {
+                let allowed = Message::verbatim("a file that ends in .csv or .parquet");
+                return Err(Error::refused("--curves", path.display().to_string(), allowed).into());
+            }
+        };
+        let mut rows = Rows::<Course>::open(&beside(path, part), fresh)?;
+        let mut known: BTreeMap<String, Course> = BTreeMap::new();
+        if part == Part::WHOLE && !fresh {
+            for part in parts(path)? {
+                known.extend(Rows::<Course>::open(&part, false)?.take().into_iter().map(|course| (course.key(), course)));
+            }
+        }
+        known.extend(rows.take().into_iter().map(|course| (course.key(), course)));
+        Ok(Self { path: path.to_owned(), format, part, rows, known })
+    }
+
+    /// Where the table goes.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The runs of a part whose curve is not there, or is not that of their row.
+    pub(super) fn missing(&self, kept: &Kept) -> Result<Vec<usize>, Failure> {
+        let mut missing = Vec::new();
+        for job in kept.jobs() {
+            let known = self.known.get(&name(kept.sweep(), job));
+            if known.map(|known| &known.hash) != Some(&kept.hash(job)?) {
+                missing.push(job);
+            }
+        }
+        Ok(missing)
+    }
+
+    /// Keeps a run's curve.
+    pub(super) fn append(&mut self, sweep: &Sweep, job: usize, hash: &str, curve: &[Improvement]) -> Result<(), Failure> {
+        let point = |point: &Improvement| format!("{}:{}:{}", point.iteration, point.evaluations, number_text(point.value));
+        let points = curve.iter().map(point).collect::<Vec<_>>().join(" ");
+        let course = Course { run: name(sweep, job), hash: hash.to_owned(), points };
+        self.rows.append(&course)?;
+        self.known.insert(course.key(), course);
+        Ok(())
+    }
+
+    /// Writes the table of all runs, in their order; of a part nothing is left to write.
+    pub(super) fn settle(&self, kept: &Kept) -> Result<(), Failure> {
+        if self.part != Part::WHOLE {
+            return Ok(());
+        }
+        let new = self.path.with_extension("new");
+        let runs = kept.jobs().filter_map(|job| Some((job, self.known.get(&name(kept.sweep(), job))?)));
+        match self.format {
+            Format::Csv => write_csv(&new, kept.sweep(), runs)?,
+            Format::Parquet => {
+                let written = write_parquet(&new, kept.sweep(), runs);
+                written.map_err(|problem| at(&new)(io::Error::other(problem.to_string())))?;
+            }
+        }
+        fs::rename(&new, &self.path).map_err(at(&self.path))
+    }
+}
+
+/// Behind the name of the table stands this in the name of what is kept of each run.
+const KEPT: &str = ".runs.csv";
+
+/// What is kept of each run is beside the table.
+pub fn beside(path: &Path, part: Part) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    if part != Part::WHOLE {
+        name.push(format!(".{}-of-{}", part.index, part.of));
+    }
+    name.push(KEPT);
+    path.with_file_name(name)
+}
+
+/// What is kept of the runs of parts.
+fn parts(path: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let is_part = |found: &PathBuf| {
+        let found = found.file_name().unwrap_or_default().to_string_lossy();
+        found.strip_prefix(&name).and_then(|rest| rest.strip_suffix(KEPT)).is_some_and(|part| part.contains("-of-"))
+    };
+    let entries = fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>).map_err(at(folder))?;
+    let mut all: Vec<PathBuf> = entries.iter().map(fs::DirEntry::path).filter(is_part).collect();
+    all.sort();
+    Ok(all)
+}
+
+/// What tells a run's curve from all others.
+fn name(sweep: &Sweep, job: usize) -> String {
+    let budget = sweep.allowance(job).map_or(String::new(), |budget| format!(", {budget} evaluations"));
+    format!("{}{budget}", sweep.describe(job))
+}
+
+/// The columns' names. A parameter that is called as another column is `p.` and its name, as in rows.
+fn columns(sweep: &Sweep) -> Vec<String> {
+    let taken = |name: &str| LEAD.contains(&name) || POINT.contains(&name) || super::line::is_taken(name);
+    let parameters = sweep.parameters.iter().map(|name| if taken(name) { format!("p.{name}") } else { name.clone() });
+    LEAD.map(str::to_owned).into_iter().chain(parameters).chain(POINT.map(str::to_owned)).collect()
+}
+
+/// What is in front of each of a run's points.
+fn lead(sweep: &Sweep, job: usize) -> Vec<String> {
+    let setup = sweep.setup(job);
+    let parameters = sweep.parameters.iter().map(|name| setup.params.get(name).map_or(String::new(), value_text));
+    [setup.scene.name().to_owned(), setup.planner.clone(), setup.seed.to_string()].into_iter().chain(parameters).collect()
+}
+
+fn write_csv<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a Course)>) -> Result<(), Failure> {
+    let mut writer = csv::Writer::from_path(new).map_err(|problem| at(new)(io::Error::other(problem.to_string())))?;
+    let failed = |problem: csv::Error| at(new)(io::Error::other(problem.to_string()));
+    writer.write_record(columns(sweep)).map_err(failed)?;
+    for (job, course) in runs {
+        let lead = lead(sweep, job);
+        for (iteration, evaluations, value) in course.points() {
+            let point = [iteration.to_string(), evaluations.to_string(), number_text(value)];
+            writer.write_record(lead.iter().chain(&point)).map_err(failed)?;
+        }
+    }
+    writer.flush().map_err(at(new))
+}
+
+/// What a column of the table holds; a parameter may be missing.
+enum Column {
+    Text(Vec<Option<ByteArray>>),
+    Number(Vec<Option<f64>>),
+    Whole(Vec<i64>),
+}
+
+impl Column {
+    /// As of the first run that sets a parameter: all its values are of one kind.
+    fn of_parameter(sweep: &Sweep, name: &str) -> Self {
+        let mut values = (0..sweep.groups()).filter_map(|group| sweep.group(group).1.into_iter().find(|(known, _)| *known == name));
+        match values.next() {
+            Some((_, Value::Number(_))) => Self::Number(Vec::new()),
+            _ => Self::Text(Vec::new()),
+        }
+    }
+
+    fn physical(&self) -> Physical {
+        match self {
+            Self::Text(_) => Physical::BYTE_ARRAY,
+            Self::Number(_) => Physical::DOUBLE,
+            Self::Whole(_) => Physical::INT64,
+        }
+    }
+
+    fn push(&mut self, value: Option<&Value>) {
+        match self {
+            Self::Text(texts) => texts.push(value.map(|value| ByteArray::from(value_text(value).as_str()))),
+            Self::Number(numbers) => {
+                numbers.push(value.and_then(number));
+            }
+            Self::Whole(_) => {}
+        }
+    }
+
+    fn clear(&mut self) {
+        match self {
+            Self::Text(texts) => texts.clear(),
+            Self::Number(numbers) => numbers.clear(),
+            Self::Whole(numbers) => numbers.clear(),
+        }
+    }
+
+    fn write(&self, group: &mut SerializedRowGroupWriter<'_, File>) -> Result<(), ParquetError> {
+        match self {
+            Self::Text(texts) => write_column::<ByteArrayType>(group, texts),
+            Self::Number(numbers) => write_column::<DoubleType>(group, numbers),
+            Self::Whole(numbers) => write_column::<Int64Type>(group, &numbers.iter().copied().map(Some).collect::<Vec<_>>()),
+        }
+    }
+}
+
+fn number(value: &Value) -> Option<f64> {
+    if let Value::Number(number) = value { Some(*number) } else { None }
+}
+
+fn write_column<T: DataType>(group: &mut SerializedRowGroupWriter<'_, File>, values: &[Option<T::T>]) -> Result<(), ParquetError> {
+    let Some(mut column) = group.next_column()? else { return Ok(()) };
+    let levels: Vec<i16> = values.iter().map(|value| i16::from(value.is_some())).collect();
+    let there: Vec<T::T> = values.iter().flatten().cloned().collect();
+    column.typed::<T>().write_batch(&there, Some(&levels), None)?;
+    column.close()
+}
+
+fn write_parquet<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a Course)>) -> Result<(), ParquetError> {
+    let whole = || Column::Whole(Vec::new());
+    let texts = || Column::Text(Vec::new());
+    let parameters = sweep.parameters.iter().map(|name| Column::of_parameter(sweep, name));
+    let mut table: Vec<Column> = [texts(), texts(), whole()].into_iter().chain(parameters).collect();
+    table.extend([whole(), whole(), Column::Number(Vec::new())]);
+    let mut fields: Vec<TypePtr> = Vec::with_capacity(table.len());
+    for (name, column) in columns(sweep).iter().zip(&table) {
+        let logical = matches!(column, Column::Text(_)).then_some(LogicalType::String);
+        let field = Type::primitive_type_builder(name, column.physical()).with_repetition(Repetition::OPTIONAL).with_logical_type(logical);
+        fields.push(Arc::new(field.build()?));
+    }
+    let schema = Arc::new(Type::group_type_builder("curves").with_fields(fields).build()?);
+    let properties = Arc::new(WriterProperties::builder().set_created_by("forage".to_owned()).build());
+    let mut writer = SerializedFileWriter::new(File::create(new)?, schema, properties)?;
+    let mut count = 0;
+    for (job, course) in runs {
+        let setup = sweep.setup(job);
+        let last = table.len() - POINT.len();
+        for (iteration, evaluations, value) in course.points() {
+            for (at, column) in table.iter_mut().enumerate() {
+                match (at, column) {
+                    (0, column) => column.push(Some(&Value::Text(setup.scene.name().to_owned()))),
+                    (1, column) => column.push(Some(&Value::Text(setup.planner.clone()))),
+                    (2, Column::Whole(seeds)) => seeds.push(setup.seed as i64),
+                    (at, Column::Whole(numbers)) => numbers.push(if at == last { iteration } else { evaluations } as i64),
+                    (at, Column::Number(numbers)) if at == last + 2 => numbers.push(Some(value)),
+                    (at, column) => column.push(setup.params.get(&sweep.parameters[at - LEAD.len()])),
+                }
+            }
+            count += 1;
+        }
+        if count >= AT_ONCE {
+            flush(&mut writer, &mut table)?;
+            count = 0;
+        }
+    }
+    flush(&mut writer, &mut table)?;
+    writer.close()?;
+    Ok(())
+}
+
+fn flush(writer: &mut SerializedFileWriter<File>, table: &mut [Column]) -> Result<(), ParquetError> {
+    let mut group = writer.next_row_group()?;
+    table.iter().try_for_each(|column| column.write(&mut group))?;
+    group.close()?;
+    table.iter_mut().for_each(Column::clear);
+    Ok(())
+}

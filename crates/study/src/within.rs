@@ -1,0 +1,56 @@
+//! A run that stops when it has spent a budget of evaluations, whatever its planner takes for an iteration.
+
+use std::sync::Arc;
+
+use forage::{
+    Error, Registry, Run, Setup, Value,
+    run::{ITERATIONS, Spending},
+};
+
+/// So often a run begins again with more iterations because its limit came before the budget was spent.
+const AGAIN: usize = 4;
+
+/// How far a run has come.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reached {
+    iteration: u64,
+    limit: u64,
+    evaluations: u64,
+}
+
+impl Reached {
+    /// Of a run that is over.
+    pub(crate) fn of(run: &Run) -> Self {
+        Self { iteration: run.iteration(), limit: run.limit(), evaluations: run.evaluations() }
+    }
+}
+
+/// Has a run carried out that is to spend `budget` evaluations: with as many iterations as that takes by its first step, and once more with
+/// more where later steps took less. Where the setup says how many iterations, it has those. `None` where `attempt` has none: it was
+/// stopped.
+///
+/// # Errors
+/// What the planner refuses, and those of `attempt`.
+pub(crate) fn within<T>(
+    registry: &Arc<Registry>,
+    mut setup: Setup,
+    budget: u64,
+    mut attempt: impl FnMut(Setup) -> Result<Option<(T, Reached)>, Error>,
+) -> Result<Option<T>, Error> {
+    if setup.params.get(ITERATIONS).is_some() {
+        return Ok(attempt(setup)?.map(|(found, _)| found));
+    }
+    let spending = Spending::of(registry, &setup)?;
+    let mut iterations = spending.iterations(budget);
+    for again in 0..=AGAIN {
+        setup.params.insert(ITERATIONS, Value::Number(iterations as f64));
+        let Some((found, reached)) = attempt(setup.clone())? else { break };
+        let early = reached.evaluations < budget && reached.iteration >= reached.limit && iterations < spending.most;
+        if again == AGAIN || !early {
+            return Ok(Some(found));
+        }
+        let more = iterations as f64 * (budget as f64 / reached.evaluations.max(1) as f64).min(100.0) * 1.1;
+        iterations = (more as u64).max(iterations + 1).min(spending.most);
+    }
+    Ok(None)
+}
