@@ -47,6 +47,38 @@ class Bbob(unittest.TestCase):
             for at, gap in enumerate(one.finalfunvals):
                 self.assertAlmostEqual(gap, max(rows[at], 0.0), delta=1e-8 * max(1.0, rows[at]))
 
+    def test_expected_running_times_are_those_of_cocopp(self):
+        import cocopp
+        import math
+
+        sets = cocopp.load([str(self.folder / "bbob/coco" / planner) for planner in PLANNERS])
+        compared = 0
+        for one in sets:
+            expected = float(one.detERT([0.1])[0])
+            cell = self.times(one.dim)[one.funcId][one.algId]
+            if math.isinf(expected):
+                self.assertEqual(cell, "")
+                continue
+            # `97 (60 to 132), 5 of 15`
+            self.assertAlmostEqual(float(cell.split(" ")[0]), expected, delta=0.5 + 1e-6 * expected)
+            self.assertEqual(int(cell.split(", ")[1].split(" ")[0]), int(one.detSuccesses([0.1])[0]))
+            compared += 1
+        self.assertGreater(compared, len(PLANNERS) * len(DIMENSIONS))
+
+    def times(self, dimension):
+        """The report's table of expected running times: by function, then by planner."""
+        lines = (self.folder / "bbob/report.md").read_text().splitlines()
+        begin = next(at for at, line in enumerate(lines) if line.startswith("**Expected") and f"D = {dimension}," in line) + 2
+        split = lambda line: [cell.strip() for cell in line.strip("|").split("|")]
+        names = split(lines[begin])[1:]
+        rows = {}
+        for line in lines[begin + 2 :]:
+            if not line.startswith("|"):
+                break
+            function, *cells = split(line)
+            rows[int(function.split(" ")[0][1:])] = dict(zip(names, cells))
+        return rows
+
     def gaps(self, planner, function, dimension):
         import csv
 

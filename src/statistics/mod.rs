@@ -5,13 +5,17 @@
 
 mod bootstrap;
 mod compare;
+mod critical;
 mod curves;
+mod running_time;
 mod summary;
 mod tests_between;
 
 pub use bootstrap::{RESAMPLES, bootstrap};
 pub use compare::{Comparison, Group, GroupSummary, LAST, Pair, Ranks, comparable, compare};
+pub use critical::{alike, critical_difference};
 pub use curves::{Band, Bands, Curve, Reached, bands, reached};
+pub use running_time::{Attempt, expected_running_time, performance_ratios};
 pub use summary::{Moments, Summary, proportion};
 pub use tests_between::{Friedman, RankSum, friedman, holm, rank_sum};
 

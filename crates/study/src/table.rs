@@ -26,6 +26,11 @@ pub fn significant(number: f64, digits: usize) -> String {
     }
 }
 
+/// A p-value as a number: four digits after the point, or two from the first that is not 0.
+pub fn probability(p: f64) -> String {
+    if p < 1e-4 { significant(p, 2) } else { format!("{p:.4}") }
+}
+
 impl Cell {
     /// A number that may be missing.
     pub fn maybe(number: Option<f64>, digits: usize) -> Self {
@@ -49,6 +54,12 @@ impl Cell {
             Self::Number(number, digits) => format!("{number:.digits$}"),
             Self::Significant(number, digits) => significant(*number, *digits),
         }
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self::Text(text)
     }
 }
 

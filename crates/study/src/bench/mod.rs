@@ -8,7 +8,6 @@ pub mod centre_bias;
 mod minimise;
 pub mod movingai;
 pub mod peers;
-mod plot;
 mod recorder;
 pub mod suite;
 mod targets;

@@ -191,8 +191,9 @@ impl Format {
             _ => ReferenceOptimum::AnyAngle,
         };
         let exact = Optimum::of(number("exact")?);
-        let (value, reached, deterministic) = (number("value")?, number("reached")?.is_some(), flag("deterministic")?);
-        Ok((job, Told { value, reached, exact, by, deterministic }))
+        let (value, reached, deterministic) = (number("value")?, number("reached")?, flag("deterministic")?);
+        let evaluations = number("evaluations")?.ok_or_else(|| damaged(&"evaluations is missing"))?;
+        Ok((job, Told { value, reached, evaluations, exact, by, deterministic }))
     }
 }
 
@@ -241,7 +242,10 @@ impl Optimum {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Told {
     pub(super) value: Option<f64>,
-    pub(super) reached: bool,
+    /// Evaluations after which it came near enough to the optimum.
+    pub(super) reached: Option<f64>,
+    /// How many evaluations there were.
+    pub(super) evaluations: f64,
     pub(super) exact: Optimum,
     /// Which optimum that is.
     pub(super) by: ReferenceOptimum,
@@ -253,8 +257,9 @@ impl From<&Record> for Told {
     fn from(record: &Record) -> Self {
         // What is no number is not written, either.
         let value = record.value.filter(|value| value.is_finite());
-        let (reached, deterministic) = (record.reached.is_some(), record.deterministic);
-        Self { value, reached, exact: Optimum::of(record.exact), by: record.exact_by, deterministic }
+        let reached = record.reached.map(|evaluations| evaluations as f64);
+        let (evaluations, deterministic) = (record.evaluations as f64, record.deterministic);
+        Self { value, reached, evaluations, exact: Optimum::of(record.exact), by: record.exact_by, deterministic }
     }
 }
 

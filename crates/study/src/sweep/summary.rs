@@ -7,13 +7,18 @@ use serde::Serialize;
 use forage::{
     Overrides, Registry,
     kernel::ReferenceOptimum,
-    statistics::{Comparison, Friedman, Group, GroupSummary, Pair, comparable, compare, friedman},
+    kernel::rng::Stream,
+    statistics::{
+        Attempt, Comparison, Friedman, Group, GroupSummary, Pair, RESAMPLES, alike, bootstrap, comparable, compare, critical_difference,
+        expected_running_time, friedman, proportion,
+    },
 };
 
 use super::{
     super::{
         escape::{escape, escape_lines, path_text, serialize_path},
-        table::{Cell, Table, significant},
+        ranking::letters,
+        table::{Cell, Table, probability, significant},
     },
     kept::Kept,
     line::{Optimum, Told},
@@ -76,6 +81,12 @@ pub struct OfGroup {
     pub exact_by: Option<ReferenceOptimum>,
     /// The share of runs that came near enough to the optimum; `None` where there is no optimum.
     pub reached: Option<f64>,
+    /// The 95 % interval of that share, by Wilson; `None` where there is none or the planner is deterministic.
+    pub reached_interval: Option<[f64; 2]>,
+    /// The expected number of evaluations until a run comes near enough: all evaluations by all successes; `None` without a success.
+    pub expected_evaluations: Option<f64>,
+    /// The 95 % interval of that, by the bootstrap; its upper end is `None` where samples without a success are too frequent.
+    pub expected_interval: Option<[Option<f64>; 2]>,
     /// The rest.
     #[serde(flatten)]
     pub summary: GroupSummary,
@@ -125,6 +136,7 @@ impl Summary {
         let mut tables = Vec::new();
         for scene in &self.scenes {
             tables.push(scene.table(self.within));
+            tables.extend(scene.times());
             tables.extend(scene.paired());
         }
         tables.extend(self.friedman.as_ref().map(|friedman| self.ranked(friedman)));
@@ -136,11 +148,19 @@ impl Summary {
         if let (Some(statistic), Some(p)) = (friedman.statistic, friedman.p) {
             let _ = write!(title, ": χ² = {}, p = {}", significant(statistic, 4), probability(p));
         }
-        let mut table = Table::new("ranks", title, &["planner", "mean rank"]);
+        let difference = critical_difference(friedman.ranks.len(), friedman.blocks);
+        if let Some(difference) = difference {
+            let _ = write!(title, "; they differ from {} on (Nemenyi, 5 %); those that share a letter do not", significant(difference, 3));
+        }
+        let groups_alike = difference.map_or(Vec::new(), |difference| alike(&friedman.ranks, difference));
+        let mut table = Table::new("ranks", title, &["planner", "mean rank", "alike"]);
         let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
-        let mut rows: Vec<_> = self.ranked.iter().map(|&group| &groups[group]).zip(&friedman.ranks).collect();
-        rows.sort_by(|a, b| a.1.total_cmp(b.1));
-        table.rows = rows.into_iter().map(|(group, &rank)| vec![group.summary.name.as_str().into(), shown(rank)]).collect();
+        let mut rows: Vec<_> = self.ranked.iter().map(|&group| &groups[group]).zip(friedman.ranks.iter().copied()).enumerate().collect();
+        rows.sort_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let row = |(k, (group, rank)): (usize, (&OfGroup, f64))| {
+            vec![group.summary.name.as_str().into(), shown(rank), letters(&groups_alike, k).into()]
+        };
+        table.rows = rows.into_iter().map(row).collect();
         table
     }
 
@@ -220,11 +240,12 @@ impl OnScene {
             let set = parameters.iter().filter(|pair| !common.contains(pair));
             let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
             let parameters: Overrides = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
-            let near = runs.iter().filter(|told| told.reached).count() as f64 / runs.len() as f64;
+            let near = runs.iter().filter(|told| told.reached.is_some()).count();
             let measured = runs.iter().find(|told| told.exact != Optimum::None);
             optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
             let draws_lots = runs.len() < 2 || runs.iter().any(|told| !told.deterministic);
-            reached.push((planner.to_owned(), parameters, draws_lots, measured.map(|told| (told.by, near))));
+            let times: Vec<Attempt> = runs.iter().map(|told| Attempt { hit: told.reached, spent: told.evaluations }).collect();
+            reached.push((planner.to_owned(), parameters, draws_lots, measured.map(|told| (told.by, near, times))));
             groups.push(Group { name, values: runs.iter().map(|told| told.value).collect(), deterministic: !draws_lots });
         }
         let (summaries, pairs) = if groups.len() <= MOST_PAIRED {
@@ -238,8 +259,11 @@ impl OnScene {
             planner,
             parameters,
             draws_lots,
-            exact_by: measured.map(|(by, _)| by),
-            reached: measured.map(|(_, near)| near),
+            exact_by: measured.as_ref().map(|(by, ..)| *by),
+            reached: measured.as_ref().map(|(_, near, runs)| *near as f64 / runs.len() as f64),
+            reached_interval: measured.as_ref().filter(|_| draws_lots).and_then(|(_, near, runs)| proportion(*near, runs.len())),
+            expected_evaluations: measured.as_ref().and_then(|(_, _, runs)| expected_running_time(runs)),
+            expected_interval: measured.filter(|_| draws_lots).and_then(|(_, _, runs)| expected_interval(runs)),
             summary,
         });
         Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, optimum }
@@ -310,6 +334,37 @@ impl OnScene {
         table
     }
 
+    /// How many runs came near enough to the optimum, and how soon, if there is one.
+    fn times(&self) -> Option<Table> {
+        let measured: Vec<&OfGroup> = self.groups.iter().filter(|group| group.reached.is_some()).collect();
+        if measured.is_empty() {
+            return None;
+        }
+        let title = format!(
+            "{}: runs that came near enough to the optimum, and the expected evaluations until one does; from, to: 95 % confidence",
+            self.scene
+        );
+        let columns = ["planner", "reached %", "from", "to", "evaluations", "from", "to"];
+        let mut table = Table::new(format!("{}-times", self.scene), title, &columns);
+        for group in measured {
+            let share = |at: usize| Cell::maybe(group.reached_interval.map(|interval| 100.0 * interval[at]), 1);
+            let time = |at: usize| match group.expected_interval {
+                Some(interval) => interval[at].map_or(Cell::Text("∞".to_owned()), |time| Cell::Number(time, 0)),
+                None => Cell::Empty,
+            };
+            table.rows.push(vec![
+                group.summary.name.as_str().into(),
+                Cell::maybe(group.reached.map(|share| 100.0 * share), 1),
+                share(0),
+                share(1),
+                Cell::maybe(group.expected_evaluations, 0),
+                time(0),
+                time(1),
+            ]);
+        }
+        Some(table)
+    }
+
     /// The tests, if there are two to test.
     fn paired(&self) -> Option<Table> {
         let pairs = self.pairs.as_ref().filter(|pairs| !pairs.is_empty())?;
@@ -329,6 +384,14 @@ impl OnScene {
     }
 }
 
+/// The interval of an expected running time; a sample without a success has no end.
+fn expected_interval(runs: Vec<Attempt>) -> Option<[Option<f64>; 2]> {
+    expected_running_time(&runs)?;
+    let statistic = |groups: &[Vec<Attempt>]| expected_running_time(&groups[0]).unwrap_or(f64::INFINITY);
+    let interval = bootstrap(&[runs], RESAMPLES, &mut Stream::new(1, 0), statistic)?;
+    Some(interval.map(|end| Some(end).filter(|end| end.is_finite())))
+}
+
 fn reference(by: ReferenceOptimum) -> &'static str {
     match by {
         ReferenceOptimum::AnyAngle => "any angle",
@@ -342,8 +405,4 @@ fn reference(by: ReferenceOptimum) -> &'static str {
 /// Four significant digits.
 fn shown(number: f64) -> Cell {
     Cell::Significant(number, 4)
-}
-
-fn probability(p: f64) -> String {
-    if p < 1e-4 { significant(p, 2) } else { format!("{p:.4}") }
 }

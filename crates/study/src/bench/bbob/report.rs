@@ -1,21 +1,26 @@
 //! How the planners compare: a table, a report in Markdown, and how many targets are reached over the evaluations.
 
 use std::{
-    collections::BTreeSet,
+    collections::{BTreeMap, BTreeSet},
     fmt::Write as _,
     fs,
     path::{Path, PathBuf},
 };
 
+use forage::{
+    kernel::rng::Stream,
+    statistics::{Attempt, RESAMPLES, Summary, bootstrap, expected_running_time},
+};
 use plotters::chart::SeriesLabelPosition;
 
 use super::{
     super::{
         super::{
             failure::{Failure, at},
+            plot::{self, Axis, Curve},
+            ranking::Ranking,
             table::{Cell, Table},
         },
-        plot::{self, Axis, Curve},
         suite::distinct,
         targets,
     },
@@ -43,12 +48,42 @@ fn times<'a>(rows: impl Iterator<Item = &'a Row>) -> (Vec<f64>, usize) {
     (reached, all)
 }
 
-/// The expected running time to a target: all evaluations by all successes. None, if it was never reached.
-fn expected(rows: &[&Row], level: f64) -> Option<f64> {
-    let hits: Vec<_> = rows.iter().map(|row| targets::hit(&row.course(), level)).collect();
-    let successes = hits.iter().flatten().count();
-    let spent: u64 = hits.iter().zip(rows).map(|(hit, row)| hit.unwrap_or(row.evaluations)).sum();
-    (successes > 0).then(|| spent as f64 / successes as f64)
+/// How runs went towards a target.
+fn attempts<'a>(rows: impl Iterator<Item = &'a Row>, level: f64) -> Vec<Attempt> {
+    let attempt = |row: &Row| Attempt { hit: targets::hit(&row.course(), level).map(|at| at as f64), spent: row.evaluations as f64 };
+    rows.map(attempt).collect()
+}
+
+/// The expected running time to a target, with its 95 % interval and the number of runs that reached it.
+fn expected(runs: Vec<Attempt>) -> Cell {
+    let Some(time) = expected_running_time(&runs) else { return Cell::Empty };
+    let reached = runs.iter().filter(|run| run.hit.is_some()).count();
+    let all = runs.len();
+    let statistic = |groups: &[Vec<Attempt>]| expected_running_time(&groups[0]).unwrap_or(f64::INFINITY);
+    let interval = bootstrap(&[runs], RESAMPLES, &mut Stream::new(1, 0), statistic);
+    let shown = interval.map_or(String::new(), |[low, high]| format!(" ({} to {})", evaluations(low), evaluations(high)));
+    Cell::Text(format!("{}{shown}, {reached} of {all}", evaluations(time)))
+}
+
+/// A number of evaluations; of a sample without a success it has no end.
+fn evaluations(number: f64) -> String {
+    if number.is_finite() { format!("{number:.0}") } else { "∞".to_owned() }
+}
+
+/// How the planners rank by their gaps in the end, and what they need to come within 0.1.
+fn rankings(rows: &[Row]) -> (Ranking, Ranking) {
+    let planners = contenders(rows);
+    let mut groups: BTreeMap<(usize, usize), Vec<Vec<&Row>>> = BTreeMap::new();
+    for row in rows {
+        let Some(at) = planners.iter().position(|planner| *planner == row.contender()) else { continue };
+        groups.entry((row.function, row.dimension)).or_insert_with(|| vec![Vec::new(); planners.len()])[at].push(row);
+    }
+    // What is solved is equally good.
+    let gap = |rows: &Vec<&Row>| Some(Summary::of(rows.iter().map(|row| row.gap.max(targets::FINAL)))?.median);
+    let time = |rows: &Vec<&Row>| expected_running_time(&attempts(rows.iter().copied(), NEAR));
+    let gaps = groups.values().map(|group| group.iter().map(gap).collect()).collect();
+    let times = groups.values().map(|group| group.iter().map(time).collect()).collect();
+    (Ranking { planners: planners.clone(), costs: gaps }, Ranking { planners, costs: times })
 }
 
 fn shares(rows: &[Row]) -> Table {
@@ -74,16 +109,21 @@ pub(super) fn table(rows: &[Row]) -> String {
     shares(rows).text()
 }
 
+/// So near to the optimum is the target of the tables and profiles of running times.
+const NEAR: f64 = 0.1;
+
 /// Expected running times to 10⁻¹ for each function, in one dimension.
 fn running_times(rows: &[Row], dimension: usize) -> Table {
     let contenders = contenders(rows);
     let columns: Vec<&str> = ["function"].into_iter().chain(contenders.iter().map(String::as_str)).collect();
-    let title = format!("Expected evaluations until 0.1 above the optimum, D = {dimension}; empty: no run came so far");
+    let title = format!(
+        "Expected evaluations until {NEAR} above the optimum, D = {dimension}, with 95 % intervals, and how many runs came so far; empty: none"
+    );
     let mut table = Table::new(format!("ert-{dimension}"), title, &columns);
     for function in sorted(rows.iter().map(|row| row.function)) {
         let time = |contender: &String| {
             let own = rows.iter().filter(|row| row.function == function && row.dimension == dimension && row.contender() == *contender);
-            Cell::maybe(expected(&own.collect::<Vec<_>>(), 0.1), 0)
+            expected(attempts(own, NEAR))
         };
         let name = Cell::Text(format!("f{function} {}", TITLES[function - 1]));
         table.rows.push([name].into_iter().chain(contenders.iter().map(time)).collect());
@@ -93,8 +133,11 @@ fn running_times(rows: &[Row], dimension: usize) -> Table {
 
 /// Writes the report and its picture.
 pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let picture = folder.join("targets.svg");
+    let [picture, profile, ranks] = ["targets.svg", "profile.svg", "ranks.svg"].map(|name| folder.join(name));
     draw(&picture, rows)?;
+    let (gaps, times) = rankings(rows);
+    times.draw_profile(&profile, "times the least expected evaluations")?;
+    let ranked = gaps.draw_ranks(&ranks)?;
     let mut text = String::from("# bbob\n\n");
     let budget = sorted(rows.iter().map(|row| (row.budget / row.dimension as u64) as usize));
     let budget: Vec<String> = budget.iter().map(ToString::to_string).collect();
@@ -116,11 +159,18 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         text.push('\n');
         if k == 0 {
             text.push_str("![Share of targets reached over evaluations for each variable](targets.svg)\n\n");
+            text.push_str(
+                &gaps.table("functions, in each dimension, by the median gap in the end").map_or(String::new(), |ranks| ranks.markdown()),
+            );
+            if ranked {
+                text.push_str("\n![Mean ranks, with bars over those that do not differ](ranks.svg)\n\n");
+            }
+            text.push_str("![Share of functions that need at most so many times the least expected evaluations](profile.svg)\n\n");
         }
     }
     let report = folder.join("report.md");
     fs::write(&report, text).map_err(at(&report))?;
-    Ok(vec![report, picture])
+    Ok(vec![report, picture, profile].into_iter().chain(ranked.then_some(ranks)).collect())
 }
 
 /// The share of targets that were reached, over evaluations for each variable.

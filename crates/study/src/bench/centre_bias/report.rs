@@ -12,9 +12,9 @@ use super::{
     super::{
         super::{
             failure::{Failure, at},
+            plot::{self, Bar},
             table::{Cell, Table, digits},
         },
-        plot::{self, Bar},
         suite::distinct,
         targets,
     },

@@ -14,9 +14,9 @@ use super::{
     super::{
         super::{
             failure::{Failure, at},
+            plot::{self, Axis, Curve},
             table::{Cell, Table},
         },
-        plot::{self, Axis, Curve},
         suite::distinct,
     },
     row::{Row, TOLERANCE},

@@ -13,9 +13,10 @@ use super::{
     super::{
         super::{
             failure::{Failure, at},
+            plot::{self, Axis, Curve},
+            ranking::Ranking,
             table::{Cell, Table},
         },
-        plot::{self, Axis, Curve},
         suite::distinct,
     },
     row::Row,
@@ -85,6 +86,18 @@ fn instances(rows: &[Row]) -> Vec<String> {
     distinct(all.into_iter().map(|row| row.instance.clone()))
 }
 
+/// How the planners rank by the mean length on each instance; one that has not toured it in every run has none.
+fn ranking(rows: &[Row]) -> Ranking {
+    let planners = contenders(rows);
+    let cost = |instance: &str, planner: &String| {
+        let lengths: Option<Vec<f64>> =
+            rows.iter().filter(|row| row.instance == instance && row.contender() == *planner).map(|row| row.length).collect();
+        Some(Summary::of(lengths?)?.mean)
+    };
+    let costs = instances(rows).iter().map(|instance| planners.iter().map(|planner| cost(instance, planner)).collect()).collect();
+    Ranking { planners, costs }
+}
+
 /// The mean of a quantity of each planner over the stops of the instances.
 fn curves(rows: &[Row], of: impl Fn(&Row) -> Option<f64>) -> Vec<Curve> {
     let curve = |name: String| {
@@ -100,7 +113,11 @@ fn curves(rows: &[Row], of: impl Fn(&Row) -> Option<f64>) -> Vec<Curve> {
 
 /// Writes the report, its pictures and the table of gaps.
 pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let [report, gap, time, table] = ["report.md", "gap.svg", "time.svg", "gaps.csv"].map(|name| folder.join(name));
+    let names = ["report.md", "gap.svg", "time.svg", "profile.svg", "ranks.svg", "gaps.csv"];
+    let [report, gap, time, profile, ranks, table] = names.map(|name| folder.join(name));
+    let lengths = ranking(rows);
+    lengths.draw_profile(&profile, "times the least length")?;
+    let ranked = lengths.draw_ranks(&ranks)?;
     let x = || Axis::log("stops", rows.iter().map(|row| row.stops as f64));
     let values = |curves: &[Curve]| curves.iter().flat_map(|curve| curve.points.iter().map(|(_, y)| *y)).collect::<Vec<_>>();
     let drawn = curves(rows, |row| row.gap().map(|gap| 100.0 * gap));
@@ -123,7 +140,12 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     );
     text.push_str(&planners(rows).markdown());
     text.push_str("\n![Gap over the stops](gap.svg)\n\n![Seconds over the stops](time.svg)\n\n");
+    text.push_str(&lengths.table("instances, by the mean length").map_or(String::new(), |ranks| ranks.markdown()));
+    if ranked {
+        text.push_str("\n![Mean ranks, with bars over those that do not differ](ranks.svg)\n\n");
+    }
+    text.push_str("![Share of instances toured within so many times the least length](profile.svg)\n\n");
     text.push_str(&gaps.markdown());
     fs::write(&report, text).map_err(at(&report))?;
-    Ok(vec![report, gap, time, table])
+    Ok([report, gap, time, profile].into_iter().chain(ranked.then_some(ranks)).chain([table]).collect())
 }

@@ -1,4 +1,4 @@
-//! Pictures of suites: a curve for each planner, over linear or logarithmic axes.
+//! Pictures of planners beside each other: a curve for each over linear or logarithmic axes, ratios with intervals, mean ranks.
 
 use std::{error::Error, io, ops::Range, path::Path};
 
@@ -6,16 +6,17 @@ use plotters::{
     coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter},
     element::DashedPathElement,
     prelude::*,
+    style::text_anchor::{HPos, Pos, VPos},
 };
 
-use super::super::{
+use super::{
     chart::{DASHES, MANY},
     failure::Failure,
 };
 
 const SIZE: (u32, u32) = (900, 560);
 /// An axis: what it is of, from where to where, and whether by logarithms.
-pub(super) struct Axis {
+pub(crate) struct Axis {
     pub title: &'static str,
     pub range: Range<f64>,
     pub log: bool,
@@ -23,21 +24,21 @@ pub(super) struct Axis {
 
 impl Axis {
     /// An axis by logarithms around all values that are above 0.
-    pub(super) fn log(title: &'static str, values: impl Iterator<Item = f64>) -> Self {
+    pub(crate) fn log(title: &'static str, values: impl Iterator<Item = f64>) -> Self {
         let (least, most) = values.filter(|value| *value > 0.0).fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
         let range = if least < most { least..most } else { most.max(1e-9) / 2.0..most.max(1e-9) * 2.0 };
         Self { title, range, log: true }
     }
 
     /// An axis from `least` to somewhat above the largest value.
-    pub(super) fn linear(title: &'static str, least: f64, values: impl Iterator<Item = f64>) -> Self {
+    pub(crate) fn linear(title: &'static str, least: f64, values: impl Iterator<Item = f64>) -> Self {
         let most = values.fold(least, f64::max);
         Self { title, range: least..if most > least { most + 0.02 * (most - least) } else { least + 1.0 }, log: false }
     }
 }
 
 /// A planner's curve.
-pub(super) struct Curve {
+pub(crate) struct Curve {
     pub name: String,
     pub points: Vec<(f64, f64)>,
 }
@@ -46,7 +47,7 @@ pub(super) struct Curve {
 ///
 /// # Errors
 /// A file that cannot be written.
-pub(super) fn draw(path: &Path, x: &Axis, y: &Axis, curves: &[Curve], legend: SeriesLabelPosition) -> Result<(), Failure> {
+pub(crate) fn draw(path: &Path, x: &Axis, y: &Axis, curves: &[Curve], legend: SeriesLabelPosition) -> Result<(), Failure> {
     let ([a, b], [c, d]) = ([x, y].map(|axis| axis.range.clone()), [x, y].map(|axis| axis.range.clone()));
     let done = match (x.log, y.log) {
         (false, false) => picture(path, [x.title, y.title], a, b, curves, legend),
@@ -58,7 +59,7 @@ pub(super) fn draw(path: &Path, x: &Axis, y: &Axis, curves: &[Curve], legend: Se
 }
 
 /// A value with its interval, on a line of its own.
-pub(super) struct Bar {
+pub(crate) struct Bar {
     pub name: String,
     pub value: f64,
     pub interval: Option<[f64; 2]>,
@@ -68,7 +69,7 @@ pub(super) struct Bar {
 ///
 /// # Errors
 /// A file that cannot be written.
-pub(super) fn draw_ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Failure> {
+pub(crate) fn draw_ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Failure> {
     ratios(path, title, bars).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
 }
 
@@ -105,6 +106,64 @@ fn ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Box<dyn Error>> 
             chart.draw_series([PathElement::new([(low, place(k)), (high, place(k))], colour.stroke_width(3))])?;
         }
         chart.draw_series([Circle::new((bar.value, place(k)), 5, colour.filled())])?;
+    }
+    root.present()?;
+    Ok(())
+}
+
+/// A planner with its mean rank.
+pub(crate) struct Ranked {
+    pub name: String,
+    pub rank: f64,
+}
+
+/// Draws mean ranks along a line, the names below, and a bar over those that do not differ.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(crate) fn draw_ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -> Result<(), Failure> {
+    ranks(path, ranked, difference, bars).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+}
+
+fn ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -> Result<(), Box<dyn Error>> {
+    const SIDE: i32 = 190;
+    const LINE: i32 = 22;
+    let rows = ranked.len().div_ceil(2) as i32;
+    let axis = 70;
+    let below = axis + 14 + 9 * bars.len() as i32;
+    let size = (SIZE.0, (below + LINE * rows + 24) as u32);
+    let root = SVGBackend::new(path, size).into_drawing_area();
+    root.fill(&WHITE)?;
+    let wide = f64::from(size.0 as i32 - 2 * SIDE);
+    let last = ranked.len().max(2) as f64;
+    let at = |rank: f64| SIDE + ((rank - 1.0) / (last - 1.0) * wide).round() as i32;
+    let text = |anchor: HPos, size: i32| TextStyle::from(("sans-serif", size)).pos(Pos::new(anchor, VPos::Center));
+    let line = |points: Vec<(i32, i32)>, width: u32| PathElement::new(points, BLACK.stroke_width(width));
+    root.draw(&line(vec![(at(1.0), axis), (at(last), axis)], 1))?;
+    for rank in 1..=ranked.len() {
+        root.draw(&line(vec![(at(rank as f64), axis - 5), (at(rank as f64), axis)], 1))?;
+        root.draw(&Text::new(rank.to_string(), (at(rank as f64), axis - 15), text(HPos::Center, 13)))?;
+    }
+    // How far apart ranks must be to differ.
+    let end = SIDE + (difference / (last - 1.0) * wide).round() as i32;
+    root.draw(&line(vec![(SIDE, 28), (end.min(size.0 as i32 - 20), 28)], 2))?;
+    root.draw(&Text::new(format!("critical difference {difference:.2}"), (SIDE, 14), text(HPos::Left, 13)))?;
+    for (k, bar) in bars.iter().enumerate() {
+        let [first, last] = [bar.first(), bar.last()].map(|one| one.map_or(1.0, |&one| ranked[one].rank));
+        let height = axis + 9 + 9 * k as i32;
+        root.draw(&line(vec![(at(first) - 4, height), (at(last) + 4, height)], 4))?;
+    }
+    let mut order: Vec<&Ranked> = ranked.iter().collect();
+    order.sort_by(|a, b| a.rank.total_cmp(&b.rank));
+    // The better half to the left, the best on top; the worse half to the right, the worst on top: so lines do not cross.
+    for (k, one) in order.iter().enumerate() {
+        let left = k < order.len().div_ceil(2);
+        let row = if left { k } else { order.len() - 1 - k } as i32;
+        let height = below + LINE * row + LINE / 2;
+        let (edge, name, anchor) =
+            if left { (SIDE - 20, SIDE - 26, HPos::Right) } else { (size.0 as i32 - SIDE + 20, size.0 as i32 - SIDE + 26, HPos::Left) };
+        root.draw(&line(vec![(at(one.rank), axis), (at(one.rank), height), (edge, height)], 1))?;
+        root.draw(&Text::new(format!("{} {:.2}", one.name, one.rank), (name, height), text(anchor, 13)))?;
     }
     root.present()?;
     Ok(())
