@@ -1,4 +1,4 @@
-"""The tools of the field read what `forage bench` writes, as it is: COCO's cocopp and IOHprofiler's iohinspector.
+"""The tools of the field read what Forage writes, as it is: COCO's cocopp, IOHprofiler's iohinspector, OMPL's log reader, polars.
 
 scripts/test runs this with the Python of target/bench.
 """
@@ -107,6 +107,82 @@ class Bbob(unittest.TestCase):
         for number, least in best.items():
             values = lines.filter(lines["data_id"] == number)["raw_y"]
             self.assertAlmostEqual(min(values), least, delta=1e-9)
+
+
+class Trees(unittest.TestCase):
+    SCENES = ["wcpso-discs", "rooms-20", "arm-cuboid"]
+    RUNS = 6
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="forage-")))
+        command = [FORAGE, "bench", "trees", *cls.SCENES, "--runs", cls.RUNS, "--budget", 3000, "--out", "trees"]
+        subprocess.run([str(part) for part in command], cwd=cls.folder, check=True, capture_output=True)
+
+    def database(self, name):
+        """What OMPL's own program makes of the logs."""
+        import sqlite3
+
+        program = Path(sys.executable).parent / "ompl_benchmark_statistics"
+        logs = sorted(str(log) for log in (self.folder / "trees/ompl").glob("*.log"))
+        ended = subprocess.run([str(program), *logs, "-d", name], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        return sqlite3.connect(self.folder / name)
+
+    def rows(self):
+        import csv
+
+        with open(self.folder / "trees/rows.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_ompl_reads_each_run(self):
+        database = self.database("trees.db")
+        self.assertEqual({name for (name,) in database.execute("SELECT name FROM experiments")}, set(self.SCENES))
+        query = """SELECT e.name, p.name, r.random_seed, r.solved, r.solution_length, r.evaluations, r.graph_states, r.id
+                   FROM runs r JOIN experiments e ON r.experimentid = e.id JOIN plannerConfigs p ON r.plannerid = p.id"""
+        found = {(scene, planner, seed): rest for scene, planner, seed, *rest in database.execute(query)}
+        rows = self.rows()
+        self.assertEqual(len(found), len(rows))
+        for row in rows:
+            solved, length, evaluations, states, run = found[row["scene"], row["planner"], int(row["seed"])]
+            self.assertEqual((bool(solved), evaluations), (row["solved"] == "true", int(row["evaluations"])))
+            self.assertEqual((length, states), (float(row["length"]) if row["length"] else None, float(row["nodes"])))
+            progress = list(database.execute("SELECT time, evaluations, best_cost FROM progress WHERE runid = ? ORDER BY time", (run,)))
+            self.assertEqual(bool(progress), row["improvements"] != "")
+            if progress:
+                self.assertEqual(progress[-1][2], length)
+        # Four planners on each scene, and one more on the arm's.
+        self.assertEqual(len(rows), (4 + 4 + 5) * self.RUNS)
+
+    def test_ompl_runs_beside_ours(self):
+        script = ROOT / "scripts/ompl-trees.py"
+        ended = subprocess.run([sys.executable, str(script), "trees"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(ended.returncode, 0, ended.stderr[-2000:])
+        lines = [line for line in ended.stdout.splitlines() if "OMPL RRT" in line]
+        self.assertEqual(len(lines), 2 * 3)
+        self.assertTrue(any(f"{self.RUNS} of {self.RUNS}" in line for line in lines), ended.stdout)
+        database = self.database("both.db")
+        count = "SELECT COUNT(*) FROM runs r JOIN plannerConfigs p ON r.plannerid = p.id WHERE p.name LIKE 'OMPL %'"
+        self.assertEqual(database.execute(count).fetchone(), (2 * 3 * self.RUNS,))
+
+
+class Curves(unittest.TestCase):
+    def test_polars_reads_curves(self):
+        import polars
+
+        with tempfile.TemporaryDirectory(prefix="forage-") as folder:
+            sweep = "scenes = ['sphere']\nseeds = [1, 2]\nbudget = 500\n[[planner]]\nname = 'pso'\nparams = { w = [0.4, 0.7] }\n[[planner]]\nname = 'wcpso'\n"
+            (Path(folder) / "sweep.toml").write_text(sweep)
+            for curves in ["curves.csv", "curves.parquet"]:
+                subprocess.run([str(FORAGE), "experiment", "sweep.toml", "--curves", curves], cwd=folder, check=True, capture_output=True)
+            parquet = polars.read_parquet(Path(folder) / "curves.parquet")
+            text = polars.read_csv(Path(folder) / "curves.csv")
+            self.assertEqual(parquet.columns, text.columns)
+            self.assertTrue(parquet.equals(text))
+            self.assertEqual(parquet.schema["w"], polars.Float64)
+            rows = polars.read_csv(Path(folder) / "sweep.csv")
+            last = parquet.group_by("planner", "w", "seed", maintain_order=True).last()
+            self.assertEqual(last["value"].to_list(), rows["value"].to_list())
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ use std::{num::NonZeroUsize, path::PathBuf};
 use clap::{Args, Parser, Subcommand, ValueHint};
 
 use forage::scene::function::MAX_DIMENSION;
-use forage_study::bench::centre_bias;
+use forage_study::bench::{centre_bias, trees};
 
 use super::{examples, names, names::Offered};
 
@@ -164,6 +164,9 @@ pub(super) enum Suite {
     /// The problems of MovingAI's .scen files in a folder, against the optima that the files give
     #[command(after_help = examples::BENCH_MOVINGAI)]
     Movingai(MovingaiArgs),
+    /// Trees on scenes, with the logs that OMPL's tools read
+    #[command(after_help = examples::BENCH_TREES)]
+    Trees(TreesArgs),
     /// Tours through the instances of TSPLIB in a folder, against the published optima
     #[command(after_help = examples::BENCH_TSPLIB)]
     Tsplib(TsplibArgs),
@@ -210,6 +213,21 @@ pub(super) struct MovingaiArgs {
     /// Take only the first N problems of each bucket of a file.
     #[arg(long, value_name = "N", value_parser = many, allow_negative_numbers = true)]
     pub(super) per_bucket: Option<NonZeroUsize>,
+    #[command(flatten)]
+    pub(super) common: SuiteArgs,
+}
+
+#[derive(Args)]
+pub(super) struct TreesArgs {
+    /// Scenes: files, shipped names or links; default: all that ship and have paths.
+    #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
+    pub(super) scenes: Vec<String>,
+    /// How many runs on each scene; their numbers, from 1, are the seeds.
+    #[arg(long, value_name = "N", default_value_t = trees::RUNS, value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    pub(super) runs: u64,
+    /// Evaluations of a run: straight pieces that are tested.
+    #[arg(long, value_name = "N", default_value_t = trees::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    pub(super) budget: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
 }

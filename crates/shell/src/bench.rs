@@ -15,7 +15,7 @@ use forage_study::{
     bench::{
         Contender, bbob, centre_bias, movingai, peers,
         suite::{self, Suite},
-        tsplib,
+        trees, tsplib,
     },
     runner::{self, Control, Job},
     sweep::Part,
@@ -50,6 +50,10 @@ pub(super) fn bench(args: &BenchArgs) -> Outcome {
         args::Suite::Movingai(args) => {
             let plan = movingai::Plan::read(&args.folder, args.per_bucket.map(usize::from))?;
             conduct(&plan, &args.common)
+        }
+        args::Suite::Trees(args) => {
+            let scenes = args.scenes.iter().map(|text| load::scene(text)).collect::<Result<_, _>>()?;
+            conduct(&trees::Plan::new(registry(), scenes, args.runs, args.budget)?, &args.common)
         }
         args::Suite::Tsplib(args) => {
             let largest = args.largest.map(usize::from);

@@ -78,6 +78,7 @@ pub(super) const BENCH: &str = "Examples:
   forage bench bbob --planners pso,wcpso --dimensions 2,10
   forage bench centre-bias
   forage bench movingai maps/dao
+  forage bench trees
   forage bench tsplib tsplib95 --largest 1000
   forage bench movingai --help
 
@@ -100,6 +101,11 @@ pub(super) const BENCH_MOVINGAI: &str = "Examples:
   forage bench movingai maps --shard 1/4
 
 The exit code is 1 if an exact planner misses the optimum of a file.";
+
+pub(super) const BENCH_TREES: &str = "Examples:
+  forage bench trees
+  forage bench trees rooms.json wcpso-discs --planners rrt,rrt-star --runs 100 --out paths
+  ompl_benchmark_statistics paths/ompl/*.log -d paths.db";
 
 pub(super) const BENCH_TSPLIB: &str = "Examples:
   forage bench tsplib tsplib95

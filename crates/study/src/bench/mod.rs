@@ -11,6 +11,7 @@ pub mod peers;
 mod recorder;
 pub mod suite;
 mod targets;
+pub mod trees;
 pub mod tsplib;
 
 pub use suite::{Contender, Suite};

@@ -3,4 +3,5 @@
 mod bbob;
 mod centre_bias;
 mod movingai;
+mod trees;
 mod tsplib;

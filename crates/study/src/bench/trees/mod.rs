@@ -1,0 +1,191 @@
+//! The suite `trees`: tree planners on scenes, as the benchmarks of OMPL have them.
+
+mod log;
+mod report;
+mod row;
+
+use std::{
+    path::{Path, PathBuf},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+use forage::{
+    Error, Registry, Run, Scene, Setup, Status,
+    kernel::Message,
+    scene::{ARM, DISCS, GRID},
+};
+
+use self::row::key;
+use super::{
+    super::{
+        failure::Failure,
+        runner::Job,
+        within::{Reached, within},
+    },
+    suite::{Attempt, Contender, Suite, check_count},
+};
+
+pub use row::Row;
+
+/// Evaluations of a run, unless it is said otherwise.
+pub const BUDGET: u64 = 20_000;
+/// Runs of a planner on a scene, unless it is said otherwise.
+pub const RUNS: u64 = 50;
+/// The family whose planners take part.
+const FAMILY: &str = "tree";
+
+/// What is run.
+pub struct Plan {
+    scenes: Vec<Arc<Scene>>,
+    runs: u64,
+    budget: u64,
+}
+
+/// A planner on a scene.
+#[derive(Clone)]
+pub struct Task {
+    registry: Arc<Registry>,
+    contender: Arc<Contender>,
+    scene: Arc<Scene>,
+    seed: u64,
+    budget: u64,
+}
+
+impl Plan {
+    /// On these scenes, or without any on all that ship and have paths; `runs` runs each, with the seeds from 1.
+    ///
+    /// # Errors
+    /// Two scenes of the same name.
+    pub fn new(registry: &Registry, mut scenes: Vec<Arc<Scene>>, runs: u64, budget: u64) -> Result<Self, Error> {
+        if scenes.is_empty() {
+            scenes = registry.scenes().iter().filter(|scene| [DISCS, GRID, ARM].contains(&scene.kind())).cloned().collect();
+        }
+        for (k, scene) in scenes.iter().enumerate() {
+            if scenes[..k].iter().any(|other| other.name() == scene.name()) {
+                return Err(Error::refused("scene", scene.name(), Message::verbatim("named once: results are told apart by it")));
+            }
+        }
+        Ok(Self { scenes, runs, budget })
+    }
+}
+
+impl Suite for Plan {
+    type Attempt = Task;
+
+    const NAME: &'static str = "trees";
+
+    fn everyone(registry: &Registry) -> Vec<Contender> {
+        let planners = registry.planners().iter().filter(|entry| entry.family == FAMILY || entry.family == forage::describe::Entry::OWN);
+        planners.map(|entry| Contender::new(entry.name)).collect()
+    }
+
+    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+        check_count(self.scenes.len().saturating_mul(contenders.len()).saturating_mul(self.runs as usize))?;
+        let mut all = Vec::new();
+        for contender in contenders {
+            let contender = Arc::new(contender.clone());
+            let entry = registry.planner(&contender.planner)?;
+            for scene in self.scenes.iter().filter(|scene| entry.check_scene(scene).is_ok()) {
+                let task = |seed| Task {
+                    registry: Arc::clone(registry),
+                    contender: Arc::clone(&contender),
+                    scene: Arc::clone(scene),
+                    seed,
+                    budget: self.budget,
+                };
+                // One run says for all what is set wrongly.
+                task(1).setup().check(registry).map_err(|error| error.within(&contender.planner))?;
+                all.extend((1..=self.runs).map(task));
+            }
+        }
+        if all.is_empty() {
+            return Err(Error::refused("scene", "these", Message::verbatim("scenes on which one of the planners runs")));
+        }
+        Ok(all)
+    }
+
+    fn write(&self, rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+        let logs = log::write(rows, &self.scenes, self.budget, &folder.join("ompl"))?;
+        Ok(report::write(rows, folder)?.into_iter().chain([logs]).collect())
+    }
+
+    fn table(&self, rows: &[Row]) -> String {
+        report::planners(rows).text()
+    }
+}
+
+impl Task {
+    fn setup(&self) -> Setup {
+        let Contender { planner, params } = (*self.contender).clone();
+        Setup { planner, scene: Arc::clone(&self.scene), params, seed: self.seed }
+    }
+
+    /// Runs until there is nothing to do or the budget is spent; `None` if it is stopped.
+    fn attempt(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<(Row, Reached)>, Error> {
+        #[expect(clippy::disallowed_types, reason = "what it takes is measured, and is no part of the result")]
+        let begun = std::time::Instant::now();
+        let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
+        // Begins the curve: what changes is judged at once, which is part of the time.
+        run.curve();
+        let mut times = Vec::new();
+        while run.evaluations() < self.budget {
+            let status = run.step(1);
+            let improvements = run.curve().len();
+            times.resize(improvements, begun.elapsed().as_secs_f64());
+            if status != Status::Running {
+                break;
+            }
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
+        }
+        let seconds = begun.elapsed().as_secs_f64();
+        let reached = Reached::of(&run);
+        let improvements: Vec<String> = run.curve().iter().map(|best| format!("{}:{:?}", best.evaluations, best.value)).collect();
+        let nodes = run.readings().iter().find(|(name, _)| *name == "nodes").map(|(_, nodes)| nodes);
+        let outcome = run.outcome();
+        let row = Row {
+            planner: self.contender.planner.clone(),
+            params: self.contender.set(),
+            scene: self.scene.name().to_owned(),
+            seed: self.seed,
+            budget: self.budget,
+            solved: outcome.feasible && outcome.length.is_some(),
+            length: outcome.length.filter(|_| outcome.feasible),
+            clearance: outcome.clearance.filter(|_| outcome.feasible),
+            exact: outcome.exact,
+            nodes,
+            iterations: outcome.iterations,
+            evaluations: outcome.evaluations,
+            improvements: improvements.join(" "),
+            seconds,
+            times: times.iter().map(|seconds| format!("{seconds:.6}")).collect::<Vec<_>>().join(" "),
+        };
+        Ok(Some((row, reached)))
+    }
+}
+
+impl Job for Task {
+    type Row = Row;
+
+    fn key(&self) -> String {
+        key(&self.contender.name(), self.scene.name(), self.seed, self.budget)
+    }
+
+    fn weight(&self) -> u64 {
+        self.budget
+    }
+
+    fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
+        within(&self.registry, self.setup(), self.budget, |setup| self.attempt(setup, stop))
+    }
+}
+
+impl Attempt for Task {
+    fn contender(&self) -> &Contender {
+        &self.contender
+    }
+}
