@@ -5,7 +5,7 @@ use std::{num::NonZeroUsize, path::PathBuf};
 use clap::{Args, Parser, Subcommand, ValueHint};
 
 use forage::scene::function::MAX_DIMENSION;
-use forage_study::bench::{centre_bias, trees};
+use forage_study::bench::{barn, centre_bias, trees};
 
 use super::{examples, names, names::Offered};
 
@@ -155,6 +155,9 @@ pub(super) struct BenchArgs {
 /// Suites of benchmarks.
 #[derive(Subcommand)]
 pub(super) enum Suite {
+    /// A robot through the worlds of the BARN challenge
+    #[command(after_help = examples::BENCH_BARN)]
+    Barn(BarnArgs),
     /// The 24 noiseless functions of COCO
     #[command(after_help = examples::BENCH_BBOB)]
     Bbob(BbobArgs),
@@ -170,6 +173,21 @@ pub(super) enum Suite {
     /// Tours through the instances of TSPLIB in a folder, against the published optima
     #[command(after_help = examples::BENCH_TSPLIB)]
     Tsplib(TsplibArgs),
+}
+
+#[derive(Args)]
+pub(super) struct BarnArgs {
+    /// A copy of the repository Daffan/the-barn-challenge.
+    #[arg(value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(super) folder: PathBuf,
+    /// Take only every N-th world.
+    #[arg(long, value_name = "N", default_value = "1", value_parser = many, allow_negative_numbers = true)]
+    pub(super) every: NonZeroUsize,
+    /// The robot's radius, in metres; default: half the width of a Jackal.
+    #[arg(long, value_name = "R", default_value_t = barn::RADIUS, value_parser = radius, allow_negative_numbers = true)]
+    pub(super) radius: f64,
+    #[command(flatten)]
+    pub(super) common: SuiteArgs,
 }
 
 #[derive(Args)]
@@ -451,6 +469,11 @@ fn threads(text: &str) -> Result<NonZeroUsize, String> {
 fn many(text: &str) -> Result<NonZeroUsize, String> {
     let number = whole_number(text, 1, 1_000_000)?;
     Ok(usize::try_from(number).ok().and_then(NonZeroUsize::new).unwrap_or(NonZeroUsize::MIN))
+}
+
+fn radius(text: &str) -> Result<f64, String> {
+    let found = text.parse::<f64>().ok().filter(|radius| (0.01..=1.0).contains(radius));
+    found.ok_or_else(|| "it must be a number from 0.01 to 1".to_owned())
 }
 
 fn variables(text: &str) -> Result<usize, String> {

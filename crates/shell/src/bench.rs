@@ -13,7 +13,7 @@ use forage::{
 };
 use forage_study::{
     bench::{
-        Contender, bbob, centre_bias, movingai, peers,
+        Contender, barn, bbob, centre_bias, movingai, peers,
         suite::{self, Suite},
         trees, tsplib,
     },
@@ -42,6 +42,7 @@ pub(super) fn bench(args: &BenchArgs) -> Outcome {
         bring(peer);
     }
     match &args.suite {
+        args::Suite::Barn(args) => conduct(&barn::Plan::read(&args.folder, args.radius, args.every.into())?, &args.common),
         args::Suite::Bbob(args) => conduct(&bbob_plan(args)?, &args.common),
         args::Suite::CentreBias(args) => {
             let plan = centre_bias::Plan { dimension: args.dimension, instances: args.instances, budget: args.budget };

@@ -76,6 +76,7 @@ pub(super) const LICENSES: &str = "Example:
 
 pub(super) const BENCH: &str = "Examples:
   forage bench bbob --planners pso,wcpso --dimensions 2,10
+  forage bench barn the-barn-challenge
   forage bench centre-bias
   forage bench movingai maps/dao
   forage bench trees
@@ -83,6 +84,10 @@ pub(super) const BENCH: &str = "Examples:
   forage bench movingai --help
 
 `forage bench SUITE --help` shows a suite’s options and more examples.";
+
+pub(super) const BENCH_BARN: &str = "Examples:
+  forage bench barn the-barn-challenge --every 10
+  forage bench barn the-barn-challenge --planners a-star-drive --out robots";
 
 pub(super) const BENCH_BBOB: &str = "Examples:
   forage bench bbob

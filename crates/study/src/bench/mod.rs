@@ -3,6 +3,7 @@
 //! A suite is a list of [jobs](super::runner::Job), whose rows are kept like those of any experiment. Out of the rows the files are
 //! written that others' tools read.
 
+pub mod barn;
 pub mod bbob;
 pub mod centre_bias;
 mod minimise;

@@ -1,5 +1,6 @@
 //! `forage bench`.
 
+mod barn;
 mod bbob;
 mod centre_bias;
 mod movingai;

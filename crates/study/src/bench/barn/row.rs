@@ -1,0 +1,59 @@
+//! What a robot's run through a world came to.
+
+use serde::{Deserialize, Serialize};
+
+use super::super::{super::rows::Row as Kept, suite::named};
+
+/// What it came to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// The planner.
+    pub planner: String,
+    /// What was set of it.
+    pub params: String,
+    /// `BARN` or `DynaBARN`.
+    pub set: String,
+    /// The world's number in the challenge.
+    pub world: usize,
+    /// The seed.
+    pub seed: u64,
+    /// Whether it came within a metre of the goal in time, and touched nothing.
+    pub success: bool,
+    /// Whether it touched something.
+    pub collided: bool,
+    /// Whether it was still under way after 100 s.
+    pub timeout: bool,
+    /// How long it took, in seconds of the simulation.
+    pub time: f64,
+    /// How far it went, in metres.
+    pub length: f64,
+    /// The smallest distance between its rim and a cylinder that stands, in metres.
+    pub clearance: Option<f64>,
+    /// The length of the way by which the score has the best time.
+    pub best: f64,
+    /// The challenge's score.
+    pub score: f64,
+    /// How long that took to compute, in seconds; measured.
+    pub seconds: f64,
+}
+
+impl Row {
+    /// What tells planners apart, with what is set of them.
+    pub(super) fn contender(&self) -> String {
+        named(&self.planner, &self.params)
+    }
+}
+
+impl Kept for Row {
+    fn key(&self) -> String {
+        key(&self.contender(), self.world, self.seed)
+    }
+
+    fn computed(&self) -> Self {
+        Self { seconds: 0.0, ..self.clone() }
+    }
+}
+
+pub(super) fn key(contender: &str, world: usize, seed: u64) -> String {
+    format!("{contender} in world {world} seed {seed}")
+}
