@@ -2,6 +2,8 @@
 
 use std::{fs, path::Path};
 
+use forage::{geometry::length, math};
+
 use crate::support::{empty_folder, forage, text};
 
 /// A world with cylinders at these places, and a path of these lattice points.
@@ -39,8 +41,10 @@ fn robots_come_through_or_do_not() {
     // Nothing on the straight way; a ring around the goal; a wall with a gap that is wide enough for half a metre.
     world(&folder, 0, &[[-4.0, 8.0]], &[[14.5, 0.0], [14.5, 50.0]]);
     let wall: Vec<[f64; 2]> = (0..60).map(|k| [-6.5 + 0.15 * f64::from(k), 8.0]).collect();
-    let ring: Vec<[f64; 2]> =
-        (0..80).map(|k| f64::from(k) * std::f64::consts::TAU / 80.0).map(|a| [-2.25 + 1.5 * a.cos(), 13.0 + 1.5 * a.sin()]).collect();
+    let ring: Vec<[f64; 2]> = (0..80)
+        .map(|k| f64::from(k) * std::f64::consts::TAU / 80.0)
+        .map(|a| [-2.25 + 1.5 * math::cos(a), 13.0 + 1.5 * math::sin(a)])
+        .collect();
     world(&folder, 1, &ring, &[[14.5, 0.0], [14.5, 50.0]]);
     let gap: Vec<[f64; 2]> = wall.iter().copied().filter(|[x, _]| !(-1.0..-0.3).contains(x)).collect();
     world(&folder, 2, &gap, &[[14.5, 0.0], [14.5, 50.0]]);
@@ -60,7 +64,7 @@ fn robots_come_through_or_do_not() {
     assert!(rows[2]["success"] == "true" && number(2, "length") > 9.3 && number(2, "clearance") >= 0.0, "{:?}", rows[2]);
     // The challenge's way leads along the path: from the start to its first point, on, and to the goal.
     let [x, y] = [14.5 * 0.15 - 0.075 - 4.5, 5.075];
-    let best = (x + 2.25_f64).hypot(y - 3.0) + 7.5 + (x + 2.25_f64).hypot(y + 7.5 - 13.0);
+    let best = length(&[[-2.25, 3.0], [x, y], [x, y + 7.5], [-2.25, 13.0]]);
     assert!((number(0, "best") - best).abs() < 1e-9);
     let lines = fs::read_to_string(folder.join("out/challenge/a-star-drive.txt")).unwrap();
     assert!(lines.starts_with("0 1 0 0 ") && lines.lines().nth(1).unwrap().starts_with("1 0 0 "), "{lines}");
