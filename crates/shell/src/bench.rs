@@ -34,6 +34,8 @@ use super::{
 
 /// What the files of rows are called, before what tells parts apart.
 const ROWS: &str = "rows";
+/// What the file of the table that is printed is called.
+const TABLE: &str = "table.csv";
 /// So many faults are shown.
 const SHOWN: usize = 10;
 
@@ -78,7 +80,10 @@ fn conduct<S: Suite>(suite: &S, args: &SuiteArgs) -> Outcome {
         print(&format!("{} of {} runs are in {}", rows.len(), attempts.len(), quoted(&folder.to_string_lossy())))?;
     } else {
         let written = suite.write(&rows, &folder)?;
-        print(&suite.table(&rows))?;
+        let table = suite.table(&rows);
+        let file = folder.join(TABLE);
+        files::write(&file, table.csv().map_err(|error| Failure::write(&file, error))?)?;
+        print(&table.text())?;
         let shown: Vec<_> = written.iter().map(|path| quoted(&path.to_string_lossy())).collect();
         note(&format!("wrote {}", shown.join(", ")));
     }

@@ -16,6 +16,7 @@ use super::super::{
     failure::{Failure, at},
     rows::{Row, Rows},
     runner::Job,
+    table::Table,
 };
 
 /// A planner that takes part, with what is set of it.
@@ -83,8 +84,8 @@ pub trait Suite {
     /// Files that cannot be written.
     fn write(&self, rows: &[<Self::Attempt as Job>::Row], folder: &Path) -> Result<Vec<PathBuf>, Failure>;
 
-    /// The table that is printed in the end.
-    fn table(&self, rows: &[<Self::Attempt as Job>::Row]) -> String;
+    /// The table that is printed in the end, and kept as CSV.
+    fn table(&self, rows: &[<Self::Attempt as Job>::Row]) -> Table;
 
     /// What must not be: results of exact planners that are not the optimum that the suite gives.
     fn faults(&self, _rows: &[<Self::Attempt as Job>::Row]) -> Vec<String> {

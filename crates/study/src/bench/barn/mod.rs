@@ -26,7 +26,7 @@ use self::{
     row::key,
 };
 use super::{
-    super::{failure::Failure, runner::Job},
+    super::{failure::Failure, runner::Job, table::Table},
     suite::{Attempt, Contender, Suite, check_count},
 };
 
@@ -102,8 +102,8 @@ impl Suite for Plan {
         report::write(rows, &self.folder, folder)
     }
 
-    fn table(&self, rows: &[Row]) -> String {
-        report::table(rows, &self.folder).text()
+    fn table(&self, rows: &[Row]) -> Table {
+        report::table(rows, &self.folder)
     }
 
     fn notes(&self) -> &[String] {

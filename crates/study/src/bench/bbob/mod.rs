@@ -12,7 +12,7 @@ use std::{
 
 use self::row::key;
 use super::{
-    super::{failure::Failure, runner::Job},
+    super::{failure::Failure, runner::Job, table::Table},
     minimise::Trial,
     suite::{Attempt, Contender, Suite, check_count, empty},
 };
@@ -84,7 +84,7 @@ impl Suite for Plan {
         report::write(rows, folder)
     }
 
-    fn table(&self, rows: &[Row]) -> String {
+    fn table(&self, rows: &[Row]) -> Table {
         report::table(rows)
     }
 }

@@ -105,8 +105,8 @@ fn shares(rows: &[Row]) -> Table {
 }
 
 /// The table that is printed.
-pub(super) fn table(rows: &[Row]) -> String {
-    shares(rows).text()
+pub(super) fn table(rows: &[Row]) -> Table {
+    shares(rows)
 }
 
 /// So near to the optimum is the target of the tables and profiles of running times.

@@ -21,7 +21,7 @@ use forage::{
 
 use self::row::key;
 use super::{
-    super::{failure::Failure, runner::Job},
+    super::{failure::Failure, runner::Job, table::Table},
     minimise::{Course, Trial},
     suite::{Attempt, Contender, Suite, check_count},
     targets,
@@ -110,7 +110,7 @@ impl Suite for Plan {
         report::write(rows, folder)
     }
 
-    fn table(&self, rows: &[Row]) -> String {
+    fn table(&self, rows: &[Row]) -> Table {
         report::table(rows)
     }
 }

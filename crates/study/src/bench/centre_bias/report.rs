@@ -52,8 +52,8 @@ fn ratios(rows: &[Row]) -> Table {
 }
 
 /// The table that is printed.
-pub(super) fn table(rows: &[Row]) -> String {
-    ratios(rows).text()
+pub(super) fn table(rows: &[Row]) -> Table {
+    ratios(rows)
 }
 
 /// The median gap in the end by planner and form on a function, and how many runs were solved.

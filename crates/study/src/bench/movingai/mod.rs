@@ -25,7 +25,7 @@ pub use row::Row;
 
 use self::{load::Worlds, row::key};
 use super::{
-    super::{failure::Failure, runner::Job},
+    super::{failure::Failure, runner::Job, table::Table},
     suite::{Attempt, Contender, Suite, check_count},
 };
 
@@ -117,8 +117,8 @@ impl Suite for Plan {
         report::write(rows, self.notes(), folder)
     }
 
-    fn table(&self, rows: &[Row]) -> String {
-        report::planners(rows).text()
+    fn table(&self, rows: &[Row]) -> Table {
+        report::planners(rows)
     }
 
     fn faults(&self, rows: &[Row]) -> Vec<String> {

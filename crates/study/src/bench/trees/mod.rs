@@ -23,6 +23,7 @@ use super::{
     super::{
         failure::Failure,
         runner::Job,
+        table::Table,
         within::{Reached, within},
     },
     suite::{Attempt, Contender, Suite, check_count},
@@ -112,8 +113,8 @@ impl Suite for Plan {
         Ok(report::write(rows, folder)?.into_iter().chain([logs]).collect())
     }
 
-    fn table(&self, rows: &[Row]) -> String {
-        report::planners(rows).text()
+    fn table(&self, rows: &[Row]) -> Table {
+        report::planners(rows)
     }
 }
 

@@ -31,6 +31,7 @@ use super::{
     super::{
         failure::Failure,
         runner::Job,
+        table::Table,
         within::{Reached, within},
     },
     suite::{Attempt, Contender, Suite, check_count},
@@ -136,8 +137,8 @@ impl Suite for Plan {
         report::write(&self.measured(rows), folder)
     }
 
-    fn table(&self, rows: &[Row]) -> String {
-        report::planners(&self.measured(rows)).text()
+    fn table(&self, rows: &[Row]) -> Table {
+        report::planners(&self.measured(rows))
     }
 
     fn faults(&self, rows: &[Row]) -> Vec<String> {

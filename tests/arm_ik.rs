@@ -1,0 +1,106 @@
+//! Inverse kinematics of the PUMA against two independent libraries: no branch is lost, none is invented.
+//!
+//! `scripts/arm-ik.py` made the poses and the libraries' branches, and says how; `FORAGE_ARM_IK` names another file of it.
+
+use std::{collections::BTreeMap, f64::consts::TAU, fs};
+
+use forage::{
+    arm::{Arm, ArmScene, Posture},
+    math, shipped,
+};
+use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+
+/// Branches of the same pose are the same branch up to this, in radians. Where the elbow is stretched, rounding of a pose in its last
+/// digits moves angles by the root of that.
+const SAME: f64 = 1e-6;
+/// How far forward kinematics may be from the pose, in metres, and in the entries of the rotation.
+const CLOSE: f64 = 1e-9;
+
+struct Sample {
+    kind: usize,
+    pose: [f64; 12],
+    /// Of each library.
+    branches: [Vec<Posture>; 2],
+}
+
+fn samples(bytes: &[u8]) -> Vec<Sample> {
+    let mut numbers = bytes.chunks_exact(8).map(|bytes| f64::from_le_bytes(bytes.try_into().unwrap()));
+    let mut next = || numbers.next();
+    let mut samples = Vec::new();
+    while let Some(kind) = next() {
+        let pose = std::array::from_fn(|_| next().unwrap());
+        let branches = [(); 2].map(|()| {
+            let count = next().unwrap() as usize;
+            (0..count).map(|_| std::array::from_fn(|_| next().unwrap())).collect()
+        });
+        samples.push(Sample { kind: kind as usize, pose, branches });
+    }
+    samples
+}
+
+fn isometry(pose: &[f64; 12]) -> Isometry3<f64> {
+    let at = |row: usize, column: usize| pose[4 * row + column];
+    let rotation = Matrix3::from_fn(at);
+    let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation));
+    Isometry3::from_parts(Translation3::from(Vector3::new(at(0, 3), at(1, 3), at(2, 3))), rotation)
+}
+
+/// How far two angles are apart, whole turns aside.
+fn apart(a: f64, b: f64) -> f64 {
+    let turns = (a - b) / TAU;
+    (turns - turns.round()).abs() * TAU
+}
+
+/// Whether two postures are the same branch. Where the wrist is singular only the sum, or the difference, of its outer angles is
+/// determined.
+fn same(kind: usize, a: &Posture, b: &Posture) -> bool {
+    let alike = |k: usize| apart(a[k], b[k]) < SAME;
+    // At a branch of a singular pose: the other branches of it need not be singular.
+    let singular = (kind == 1 || kind == 2) && math::sin(a[4]).abs() < SAME && math::sin(b[4]).abs() < SAME;
+    if !singular {
+        return (0..6).all(alike);
+    }
+    let sign = if math::cos(a[4]) > 0.0 { 1.0 } else { -1.0 };
+    (0..3).all(alike) && alike(4) && apart(a[3] + sign * a[5], b[3] + sign * b[5]) < SAME
+}
+
+fn check(arm: &Arm, sample: &Sample) -> usize {
+    let Sample { kind, pose, branches } = sample;
+    let wanted = isometry(pose);
+    let found = arm.inverse_all(&wanted, &arm.home()).unwrap_or_else(|error| panic!("{pose:?}: {error:?}"));
+    for branch in &found {
+        let [.., tip] = arm.forward(branch);
+        let off = (tip.to_homogeneous() - wanted.to_homogeneous()).abs().max();
+        assert!(off < CLOSE, "kind {kind}, {pose:?}: {branch:?} leads {off} away");
+    }
+    for (library, theirs) in branches.iter().enumerate() {
+        for branch in theirs {
+            let has = found.iter().any(|own| same(*kind, own, branch));
+            assert!(has, "kind {kind}, {pose:?}: lost {branch:?} of library {library}, has {:?}", &found[..]);
+        }
+    }
+    for own in &found {
+        let known = branches.iter().flatten().any(|branch| same(*kind, own, branch));
+        assert!(known, "kind {kind}, {pose:?}: {own:?} is none of {branches:?}");
+    }
+    found.len()
+}
+
+#[test]
+fn no_branch_is_lost_and_none_invented() {
+    let scene = shipped("arm-puma").unwrap();
+    let arm = &scene.get::<ArmScene>().unwrap().arm;
+    let bytes = match std::env::var_os("FORAGE_ARM_IK") {
+        Some(file) => fs::read(file).unwrap(),
+        None => include_bytes!("arm_ik.bin").to_vec(),
+    };
+    let samples = samples(&bytes);
+    let mut counts: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    for sample in &samples {
+        *counts.entry((sample.kind, check(arm, sample))).or_default() += 1;
+    }
+    println!("{} poses; by kind and number of branches: {counts:?}", samples.len());
+    assert!((0..5).all(|kind| samples.iter().any(|sample| sample.kind == kind)), "{counts:?}");
+    // Away from singularities there are eight: two of the base, of the elbow and of the wrist.
+    assert!(counts.keys().all(|&(kind, branches)| kind != 0 || branches == 8), "{counts:?}");
+}
