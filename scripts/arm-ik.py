@@ -10,8 +10,9 @@ The libraries are EAIK (subproblems in closed form) and ssik (another derivation
 three is singular: the wrist is stretched or folded back, the elbow is stretched or folded, or the wrist is beside the first axis. Only
 branches count that forward kinematics, computed here, takes back to the pose.
 
-Numbers in the file, all of 64 bits: for each pose the kind, a number of KINDS; the pose's first three rows; for each library how many branches
-it has, and their six angles in radians.
+Numbers in the file, all of 64 bits: for each pose the kind, a number of KINDS; the pose's first three rows; the posture that it was made of, in
+radians; for each library how many branches it has, and their six angles. Where the wrist is stretched both libraries may miss a branch, but
+not the posture itself.
 """
 
 import json
@@ -102,12 +103,13 @@ def main():
     out = sys.stdout.buffer
     for k in range(count):
         kind = ORDER[k % len(ORDER)]
-        pose = arm.forward(arm.posture(kind, random))
+        posture = arm.posture(kind, random)
+        pose = arm.forward(posture)
         branches = [
             [numpy.asarray(q) for q in first.IK(pose).Q],
             [solution.q for solution in second.solve(pose, respect_limits=False, enumerate_windings=False)],
         ]
-        numbers = [float(kind), *pose[:3].ravel()]
+        numbers = [float(kind), *pose[:3].ravel(), *posture]
         for found in branches:
             found = [q for q in found if numpy.isfinite(q).all() and numpy.abs(arm.forward(q) - pose).max() < TOLERANCE]
             numbers += [float(len(found)), *(angle for q in found for angle in q)]

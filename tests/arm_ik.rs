@@ -10,17 +10,22 @@ use forage::{
 };
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-/// Branches of the same pose are the same branch up to this, in radians. Where the elbow is stretched, rounding of a pose in its last
-/// digits moves angles by the root of that.
+/// Branches of the same pose are the same branch up to this, in radians.
 const SAME: f64 = 1e-6;
+/// Where two branches meet, rounding of a pose in its last digits moves angles by the root of that, and more where several meet. Then also
+/// the posture in the middle between two of them leads to the pose; of branches that differ it does not, unless they are nearer than
+/// about a ten thousandth.
+const MEETING: f64 = 1e-3;
+/// Wrists that are so near to a singular one, in radians, are taken for it.
+const SINGULAR: f64 = 1e-4;
 /// How far forward kinematics may be from the pose, in metres, and in the entries of the rotation.
 const CLOSE: f64 = 1e-9;
 
 struct Sample {
     kind: usize,
     pose: [f64; 12],
-    /// Of each library.
-    branches: [Vec<Posture>; 2],
+    /// Of the posture that the pose was made of, and of each library.
+    branches: [Vec<Posture>; 3],
 }
 
 fn samples(bytes: &[u8]) -> Vec<Sample> {
@@ -29,10 +34,11 @@ fn samples(bytes: &[u8]) -> Vec<Sample> {
     let mut samples = Vec::new();
     while let Some(kind) = next() {
         let pose = std::array::from_fn(|_| next().unwrap());
-        let branches = [(); 2].map(|()| {
-            let count = next().unwrap() as usize;
+        let branches = |count: Option<f64>, next: &mut dyn FnMut() -> Option<f64>| -> Vec<Posture> {
+            let count = count.unwrap_or_else(|| next().unwrap()) as usize;
             (0..count).map(|_| std::array::from_fn(|_| next().unwrap())).collect()
-        });
+        };
+        let branches = [Some(1.0), None, None].map(|count| branches(count, &mut next));
         samples.push(Sample { kind: kind as usize, pose, branches });
     }
     samples
@@ -51,17 +57,27 @@ fn apart(a: f64, b: f64) -> f64 {
     (turns - turns.round()).abs() * TAU
 }
 
+/// How far a posture leads away from a pose.
+fn off(arm: &Arm, posture: &Posture, pose: &Isometry3<f64>) -> f64 {
+    let [.., tip] = arm.forward(posture);
+    (tip.to_homogeneous() - pose.to_homogeneous()).abs().max()
+}
+
 /// Whether two postures are the same branch. Where the wrist is singular only the sum, or the difference, of its outer angles is
 /// determined.
-fn same(kind: usize, a: &Posture, b: &Posture) -> bool {
-    let alike = |k: usize| apart(a[k], b[k]) < SAME;
-    // At a branch of a singular pose: the other branches of it need not be singular.
-    let singular = (kind == 1 || kind == 2) && math::sin(a[4]).abs() < SAME && math::sin(b[4]).abs() < SAME;
-    if !singular {
-        return (0..6).all(alike);
+fn same(arm: &Arm, pose: &Isometry3<f64>, a: &Posture, b: &Posture) -> bool {
+    let far = |k: usize| apart(a[k], b[k]);
+    // So near to a singular wrist both are taken for singular: the outer angles are ill determined.
+    if math::sin(a[4]).abs() < SINGULAR && math::sin(b[4]).abs() < SINGULAR {
+        let sign = if math::cos(a[4]) > 0.0 { 1.0 } else { -1.0 };
+        return (0..3).all(|k| far(k) < SINGULAR) && far(4) < 2.0 * SINGULAR && apart(a[3] + sign * a[5], b[3] + sign * b[5]) < SINGULAR;
     }
-    let sign = if math::cos(a[4]) > 0.0 { 1.0 } else { -1.0 };
-    (0..3).all(alike) && alike(4) && apart(a[3] + sign * a[5], b[3] + sign * b[5]) < SAME
+    let farthest = (0..6).map(far).fold(0.0, f64::max);
+    let middle = std::array::from_fn(|k| {
+        let turns = ((a[k] - b[k]) / TAU).round();
+        f64::midpoint(a[k], b[k] + turns * TAU)
+    });
+    farthest < SAME || farthest < MEETING && off(arm, &middle, pose) < CLOSE
 }
 
 fn check(arm: &Arm, sample: &Sample) -> usize {
@@ -69,18 +85,17 @@ fn check(arm: &Arm, sample: &Sample) -> usize {
     let wanted = isometry(pose);
     let found = arm.inverse_all(&wanted, &arm.home()).unwrap_or_else(|error| panic!("{pose:?}: {error:?}"));
     for branch in &found {
-        let [.., tip] = arm.forward(branch);
-        let off = (tip.to_homogeneous() - wanted.to_homogeneous()).abs().max();
+        let off = off(arm, branch, &wanted);
         assert!(off < CLOSE, "kind {kind}, {pose:?}: {branch:?} leads {off} away");
     }
     for (library, theirs) in branches.iter().enumerate() {
         for branch in theirs {
-            let has = found.iter().any(|own| same(*kind, own, branch));
-            assert!(has, "kind {kind}, {pose:?}: lost {branch:?} of library {library}, has {:?}", &found[..]);
+            let has = found.iter().any(|own| same(arm, &wanted, own, branch));
+            assert!(has, "kind {kind}, {pose:?}: lost {branch:?} of source {library}, has {:?}", &found[..]);
         }
     }
     for own in &found {
-        let known = branches.iter().flatten().any(|branch| same(*kind, own, branch));
+        let known = branches.iter().flatten().any(|branch| same(arm, &wanted, own, branch));
         assert!(known, "kind {kind}, {pose:?}: {own:?} is none of {branches:?}");
     }
     found.len()
