@@ -11,6 +11,7 @@ import { execFileSync } from 'node:child_process'
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { basename, dirname, join, relative, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { machine, results } from './results.mjs'
 
 const root = fileURLToPath(new URL('..', import.meta.url))
 const program = resolve(root, process.env.FORAGE ?? 'target/debug/forage')
@@ -269,6 +270,8 @@ function reproductions() {
 
 // ---------------------------------------------------------------- Blocks
 
+const measured = () => JSON.parse(read('docs/benchmarks.json'))
+
 const BLOCKS = {
   /** Planners by family, one line a family. */
   families() {
@@ -331,6 +334,15 @@ const BLOCKS = {
   reproduction,
   claims,
   reproductions,
+  /** What a suite of benchmarks came to. */
+  results: (suite) =>
+    results(measured(), suite, (columns, rows) =>
+      table(
+        columns.map(escaped),
+        rows.map((row) => row.map(escaped)),
+      ),
+    ),
+  machine: () => machine(measured()),
 }
 
 const BLOCK = /^(<!-- generated: ([a-z-]+)((?: [a-z0-9-]+)*) -->\n)([\s\S]*?)^(<!-- \/generated -->)$/gm

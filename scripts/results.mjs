@@ -1,0 +1,140 @@
+// What docs/benchmarks.md says of measured results: tables and paragraphs of docs/benchmarks.json, which scripts/benchmarks.py writes.
+
+/** Rows as objects by column; columns of the same name get a number. */
+function rowsOf({ columns, rows }) {
+  const seen = new Map()
+  const names = columns.map((name) => {
+    const n = (seen.get(name) ?? 0) + 1
+    seen.set(name, n)
+    return n === 1 ? name : `${name} ${n}`
+  })
+  return rows.map((row) => Object.fromEntries(names.map((name, k) => [name, row[k]])))
+}
+
+const number = (text, digits = 3) => {
+  const value = Number(text)
+  if (text === '' || !Number.isFinite(value)) return text
+  if (value === 0) return '0'
+  const size = Math.abs(value)
+  return size >= 1000 ? value.toFixed(0) : size >= 100 ? value.toFixed(1) : String(Number(value.toPrecision(digits)))
+}
+const percent = (share) => `${(100 * Number(share)).toFixed(0)} %`
+const code = (name) => `\`${name}\``
+const list = (names) =>
+  names.length === 0 ? 'none' : names.length === 1 ? names[0] : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
+const best = (rows, column, sign = 1) => [...rows].sort((a, b) => sign * (Number(b[column]) - Number(a[column])))
+const isPeer = ({ planner }) => planner === 'random-search' || planner.startsWith('OMPL') || planner.startsWith('DWA')
+
+function bbob({ peers, ...own }) {
+  const rows = rowsOf(own)
+  const [cma] = rowsOf({ columns: own.columns, rows: peers })
+  const ours = best(
+    rows.filter((row) => !isPeer(row)),
+    'all',
+  )
+  const random = rows.find(isPeer)
+  const above = ours.filter((row) => Number(row.all) > Number(cma.all))
+  const below = ours.filter((row) => Number(row.all) <= Number(random.all))
+  const first = ours[0]
+  return [
+    `Of ours ${code(first.planner)} reaches most targets, ${percent(first.all)}; CMA-ES reaches ${percent(cma.all)} and random search ${percent(random.all)}.`,
+    above.length
+      ? `More than CMA-ES: ${list(above.map((row) => code(row.planner)))}.`
+      : 'None of ours comes up to CMA-ES: who wants a function minimised should take that.',
+    below.length ? `Not above random search: ${list(below.map((row) => code(row.planner)))}.` : 'All of ours are above random search.',
+  ].join(' ')
+}
+
+function centreBias(own) {
+  const rows = rowsOf(own)
+  const random = rows.find(isPeer)
+  const ours = rows.filter((row) => !isPeer(row))
+  const drawn = ours.filter((row) => Number(row.from) > Number(random.to))
+  const turned = ours.filter((row) => Number(row['from 2']) > 1)
+  const ratio = (row) => `${code(row.planner)} (${number(row['shifted : centred'])})`
+  return [
+    `Random search has ${number(random['shifted : centred'])} (${number(random.from)} to ${number(random.to)}), since a minimum near a border is farther from most positions.`,
+    `Above that with certainty: ${list(drawn.map(ratio))}.`,
+    `Worse where the axes are turned, with certainty: ${list(turned.map((row) => `${code(row.planner)} (${number(row['rotated : centred'])})`))}.`,
+  ].join(' ')
+}
+
+function movingai(own) {
+  const rows = rowsOf(own)
+  const [planner, problems, , optimal] = own.columns
+  const exact = rows.filter((row) => Number(row[optimal]) === Number(row[problems]))
+  const others = rows.filter((row) => Number(row[optimal]) !== Number(row[problems]))
+  const gap = own.columns.find((name) => name.includes('gap'))
+  return [
+    `${list(exact.map((row) => code(row[planner])))} have the file’s optimum in all ${number(exact[0]?.[problems] ?? '0')} problems, as graph searches must.`,
+    ...others.map(
+      (row) =>
+        `${code(row[planner])} goes at any angle, or is not exact: its mean gap to the shortest way from cell to cell is ${number(row[gap])} %.`,
+    ),
+  ].join(' ')
+}
+
+function tsplib({ same }) {
+  const ours = Object.entries(same.gaps).sort((a, b) => a[1] - b[1])
+  const better = ours.filter(([, gap]) => gap < same['OR-Tools'])
+  return [
+    `On the ${same.instances} instances with rounded straight distances OR-Tools’ local search has a mean gap of ${number(same['OR-Tools'])} %; ours: ${list(ours.map(([name, gap]) => `${code(name)} ${number(gap)} %`))}.`,
+    better.length ? `Below OR-Tools with this budget: ${list(better.map(([name]) => code(name)))}.` : 'None of ours is below it.',
+    'Its budget is a local optimum, ours evaluations: the times are not compared.',
+  ].join(' ')
+}
+
+function trees({ beside }) {
+  const rows = rowsOf(beside)
+  const totals = new Map()
+  for (const { planner, solved, evaluations } of rows) {
+    const [count, all] = solved.split(' of ').map(Number)
+    const total = totals.get(planner) ?? { planner, count: 0, all: 0, evaluations: [] }
+    totals.set(planner, {
+      ...total,
+      count: total.count + count,
+      all: total.all + all,
+      evaluations: [...total.evaluations, Number(evaluations)],
+    })
+  }
+  const middle = (numbers) => [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)]
+  const told = [...totals.values()].map(
+    ({ planner, count, all, evaluations }) =>
+      `${planner.startsWith('OMPL') ? planner : code(planner)} ${count} of ${all} (${number(middle(evaluations))})`,
+  )
+  const scenes = new Set(rows.map(({ scene }) => scene)).size
+  return `On the ${scenes} scenes with discs and grids, runs solved and the median of a scene’s median evaluations: ${list(told)}. RRT\\* and ${code('rrt-star')} go on until the budget is spent, the others stop at their first way.`
+}
+
+function barn(own) {
+  const rows = rowsOf(own)
+  const sets = [...new Set(rows.map(({ set }) => set))]
+  const told = sets.map((set) => {
+    const of = best(
+      rows.filter((row) => row.set === set && !isPeer(row)),
+      'success %',
+    )
+    return `${set}: ${list(of.map((row) => `${code(row.planner)} ${number(row['success %'])} % with a score of ${number(row.score)}`))}`
+  })
+  const dwa = rows.find(isPeer)
+  const published = dwa
+    ? ` The repository’s DWA has ${number(dwa['success %'])} % and ${number(dwa.score)} in Gazebo, where a robot slides, bumps and sees with a laser: that our disc does better says nothing of a Jackal.`
+    : ''
+  return `${told.join('; ')}. A score of 0.5 is the most that the rule gives.${published}`
+}
+
+const SAYS = { bbob, 'centre-bias': centreBias, movingai, tsplib, trees, barn }
+
+/** The machine on which all was measured. */
+export function machine({ machine: { cpu, cores, memory_gib, system, forage, python, libraries } }) {
+  const named = Object.entries(libraries).map(([name, version]) => `${name} ${version}`)
+  return `The results below were measured on ${cpu}, ${cores} cores, ${memory_gib} GiB, ${system}, with Forage ${forage}; peers with Python ${python}, ${list(named)}. \`scripts/benchmarks.py\` measures them, and nobody types one in. Evaluations, lengths, gaps and scores are the same on every machine; times are not.`
+}
+
+/** What a suite came to: its command, its table, and what that shows. */
+export function results(all, suite, table) {
+  const own = all[suite]
+  if (!own || !SAYS[suite]) throw new Error(`docs/benchmarks.json has no results of ${suite}`)
+  const rows = [...own.rows, ...(own.peers ?? [])].map((row) => row.map((cell, k) => (k === 0 ? cell : number(cell))))
+  return `    ${own.command}\n\n${table(own.columns, rows)}\n\n${SAYS[suite](own)}`
+}
