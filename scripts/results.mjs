@@ -14,7 +14,7 @@ function rowsOf({ columns, rows }) {
 const number = (text, digits = 3) => {
   const value = Number(text)
   if (text === '' || !Number.isFinite(value)) return text
-  if (value === 0) return '0'
+  if (Number.isInteger(value)) return String(value)
   const size = Math.abs(value)
   return size >= 1000 ? value.toFixed(0) : size >= 100 ? value.toFixed(1) : String(Number(value.toPrecision(digits)))
 }
@@ -40,7 +40,7 @@ function bbob({ peers, ...own }) {
     `Of ours ${code(first.planner)} reaches most targets, ${percent(first.all)}; CMA-ES reaches ${percent(cma.all)} and random search ${percent(random.all)}.`,
     above.length
       ? `More than CMA-ES: ${list(above.map((row) => code(row.planner)))}.`
-      : 'None of ours comes up to CMA-ES: who wants a function minimised should take that.',
+      : 'None of ours reaches as many as CMA-ES, which is the better choice to minimise a function.',
     below.length ? `Not above random search: ${list(below.map((row) => code(row.planner)))}.` : 'All of ours are above random search.',
   ].join(' ')
 }
@@ -69,7 +69,7 @@ function movingai(own) {
     `${list(exact.map((row) => code(row[planner])))} have the file’s optimum in all ${number(exact[0]?.[problems] ?? '0')} problems, as graph searches must.`,
     ...others.map(
       (row) =>
-        `${code(row[planner])} goes at any angle, or is not exact: its mean gap to the shortest way from cell to cell is ${number(row[gap])} %.`,
+        `${code(row[planner])} keeps to another rule, or is not exact: its mean gap to the shortest way from cell to cell is ${number(row[gap])} %.`,
     ),
   ].join(' ')
 }
@@ -128,7 +128,7 @@ const SAYS = { bbob, 'centre-bias': centreBias, movingai, tsplib, trees, barn }
 /** The machine on which all was measured. */
 export function machine({ machine: { cpu, cores, memory_gib, system, forage, python, libraries } }) {
   const named = Object.entries(libraries).map(([name, version]) => `${name} ${version}`)
-  return `The results below were measured on ${cpu}, ${cores} cores, ${memory_gib} GiB, ${system}, with Forage ${forage}; peers with Python ${python}, ${list(named)}. \`scripts/benchmarks.py\` measures them, and nobody types one in. Evaluations, lengths, gaps and scores are the same on every machine; times are not.`
+  return `The results below were measured on ${cpu}, ${cores} cores, ${memory_gib} GiB, ${system}, with Forage ${forage}; peers with Python ${python}, ${list(named)}. \`scripts/benchmarks.py\` measures them; no number is typed by hand. Evaluations, lengths, gaps and scores are the same on every machine; times are not.`
 }
 
 /** What a suite came to: its command, its table, and what that shows. */
