@@ -7,6 +7,7 @@ use std::{cell::Cell, collections::VecDeque, sync::Arc};
 
 use super::{
     field::{Field, Nearest},
+    moves::turn,
     problem::{Problem, Stop, Tour},
 };
 use crate::kernel::{Digest, State, rng::Stream};
@@ -340,10 +341,10 @@ impl LocalSearch {
                 }
                 let length = high + 1 - low;
                 let (from, to) = if behind > high {
-                    row[low..=behind].rotate_left(length);
+                    turn(&mut row[low..=behind], length);
                     (low, behind)
                 } else {
-                    row[behind + 1..=high].rotate_right(length);
+                    turn(&mut row[behind + 1..=high], low - behind - 1);
                     (behind + 1, high)
                 };
                 self.settle(row, from, to);
@@ -369,7 +370,7 @@ impl LocalSearch {
         let d = |place: usize, other: usize| self.problem.d(row[place], row[other]);
         let (a, b, c) = (from, from + middle, from + span);
         let added = d(a - 1, b) + d(c - 1, a) + d(b - 1, c) - d(a - 1, a) - d(b - 1, b) - d(c - 1, c);
-        row[from..from + span].rotate_left(middle);
+        turn(&mut row[from..from + span], middle);
         self.settle(row, from, from + span - 1);
         let seams = [from, from + span - middle, from + span];
         for place in seams {

@@ -28,9 +28,17 @@ pub fn insertion(problem: &Problem, row: &[Stop], i: usize, j: usize) -> f64 {
     taken + problem.d(c, stop) + problem.d(stop, d) - problem.d(c, d)
 }
 
+/// Exchanges the first `k` stops and the others: three reversals, in little code.
+#[inline(never)]
+pub fn turn(row: &mut [Stop], k: usize) {
+    row[..k].reverse();
+    row[k..].reverse();
+    row.reverse();
+}
+
 /// Moves the stop at `i` to just behind the one at `j`.
 pub fn insert(row: &mut [Stop], i: usize, j: usize) {
-    if i < j { row[i..=j].rotate_left(1) } else { row[j + 1..=i].rotate_right(1) }
+    if i < j { turn(&mut row[i..=j], 1) } else { turn(&mut row[j + 1..=i], i - j - 1) }
 }
 
 /// What exchanging the stretches `i` to `j` and `j` + 1 to `k` adds to the length: a double bridge (Martin et al. 1991),
@@ -44,7 +52,7 @@ pub fn double_bridge(problem: &Problem, row: &[Stop], [i, j, k]: [usize; 3]) -> 
 
 /// Exchanges the stretches `i` to `j` and `j` + 1 to `k`.
 pub fn bridge(row: &mut [Stop], [i, j, k]: [usize; 3]) {
-    row[i..=k].rotate_left(j + 1 - i);
+    turn(&mut row[i..=k], j + 1 - i);
 }
 
 /// Two places among the `m` that may be moved, the smaller one first; they may be the same. `m` must not be 0.

@@ -2,6 +2,7 @@
 
 use super::{
     field::Field,
+    moves::turn,
     problem::{Problem, Stop, Tour},
 };
 use crate::kernel::rng::Stream;
@@ -22,7 +23,7 @@ pub fn nearest_neighbour(problem: &Problem, rng: &mut Stream) -> Tour {
         row.swap(0, start);
         chain(problem, row);
         if let Some(home) = row.iter().position(|&stop| closed && stop == 0) {
-            row.rotate_left(home);
+            turn(row, home);
         }
     } else {
         chain(problem, &mut tour.row[..=m]);
