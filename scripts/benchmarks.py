@@ -140,21 +140,22 @@ def machine():
     }
 
 
-def main():
-    arguments = argparse.ArgumentParser()
-    for name in ["movingai", "tsplib", "barn"]:
-        arguments.add_argument(f"--{name}", type=Path, required=True)
-    arguments.add_argument("--out", type=Path, default=ROOT / "target/benchmarks")
-    given = arguments.parse_args()
-    out = given.out
-    results = {"machine": machine()}
-    listed = lambda numbers: ",".join(map(str, numbers))
-    results["bbob"] = suite(out, "bbob", "--dimensions", listed(DIMENSIONS), "--instances", f"{INSTANCES[0]}-{INSTANCES[-1]}", "--budget", BUDGET)
-    results["bbob"]["peers"] = [cma_es()]
-    results["centre-bias"] = suite(out, "centre-bias")
-    results["movingai"] = suite(out, "movingai", given.movingai, shown=[(given.movingai, "maps")])
+def bbob(out, _given):
+    lists = ["--dimensions", ",".join(map(str, DIMENSIONS)), "--instances", f"{INSTANCES[0]}-{INSTANCES[-1]}"]
+    return {**suite(out, "bbob", *lists, "--budget", BUDGET), "peers": [cma_es()]}
+
+
+def centre_bias(out, _given):
+    return suite(out, "centre-bias")
+
+
+def movingai(out, given):
+    return suite(out, "movingai", given.movingai, shown=[(given.movingai, "maps")])
+
+
+def tsplib(out, given):
     planners = "two-opt,sa,ga,bat,hybrid-bat,tour-pso"
-    results["tsplib"] = suite(out, "tsplib", given.tsplib, "--largest", LARGEST, "--planners", planners, shown=[(given.tsplib, "tsplib95")])
+    results = suite(out, "tsplib", given.tsplib, "--largest", LARGEST, "--planners", planners, shown=[(given.tsplib, "tsplib95")])
     with open(out / "tsplib/rows.csv", newline="") as lines:
         rows = list(csv.DictReader(lines))
     gaps = or_tools(given.tsplib, rows)
@@ -163,15 +164,40 @@ def main():
         if row["instance"] in gaps and row["length"]:
             means.setdefault(row["planner"], []).append(float(row["length"]) / float(row["optimum"]) - 1)
     mean = lambda values: 100 * sum(values) / len(values)
-    results["tsplib"]["same"] = {"instances": len(gaps), "gaps": {planner: mean(values) for planner, values in means.items()}, "OR-Tools": mean(list(gaps.values()))}
-    results["trees"] = suite(out, "trees", "--runs", 20)
-    beside = subprocess.run([sys.executable, str(ROOT / "scripts/ompl-trees.py"), str(out / "trees")], capture_output=True, text=True)
-    if beside.returncode != 0:
-        sys.exit(beside.stderr[-2000:])
-    lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in beside.stdout.splitlines() if line.startswith("| ")]
-    results["trees"]["beside"] = {"columns": lines[0], "rows": lines[2:]}
-    results["barn"] = suite(out, "barn", given.barn, "--every", 3, shown=[(given.barn, "the-barn-challenge")])
-    (ROOT / "docs/benchmarks.json").write_text(json.dumps(results, indent=1, ensure_ascii=False) + "\n")
+    same = {"instances": len(gaps), "gaps": {planner: mean(values) for planner, values in means.items()}}
+    return {**results, "same": {**same, "OR-Tools": mean(list(gaps.values()))}}
+
+
+def trees(out, _given):
+    results = suite(out, "trees", "--runs", 20)
+    ended = subprocess.run([sys.executable, str(ROOT / "scripts/ompl-trees.py"), str(out / "trees")], capture_output=True, text=True)
+    if ended.returncode != 0:
+        sys.exit(ended.stderr[-2000:])
+    lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in ended.stdout.splitlines() if line.startswith("| ")]
+    return {**results, "peers": {"columns": lines[0], "rows": lines[2:]}}
+
+
+def barn(out, given):
+    return suite(out, "barn", given.barn, "--every", 3, shown=[(given.barn, "the-barn-challenge")])
+
+
+SUITES = {"bbob": bbob, "centre-bias": centre_bias, "movingai": movingai, "tsplib": tsplib, "trees": trees, "barn": barn}
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    for name in ["movingai", "tsplib", "barn"]:
+        arguments.add_argument(f"--{name}", type=Path, required=True)
+    arguments.add_argument("--out", type=Path, default=ROOT / "target/benchmarks")
+    arguments.add_argument("--only", nargs="+", choices=SUITES, default=list(SUITES), help="measure only these; the other results stay")
+    given = arguments.parse_args()
+    file = ROOT / "docs/benchmarks.json"
+    results = json.loads(file.read_text()) if file.exists() else {}
+    results["machine"] = machine()
+    for name in given.only:
+        results[name] = SUITES[name](given.out, given)
+    ordered = {name: results[name] for name in ["machine", *SUITES]}
+    file.write_text(json.dumps(ordered, indent=1, ensure_ascii=False) + "\n")
 
 
 if __name__ == "__main__":

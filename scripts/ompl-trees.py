@@ -3,14 +3,16 @@
 
     forage bench trees --out trees
     target/bench/bin/python scripts/ompl-trees.py trees
-    target/bench/bin/ompl_benchmark_statistics trees/ompl/*.log -d trees.db
+    target/bench/bin/ompl_benchmark_statistics trees/ompl/*.log trees/ompl-peers/*.log -d trees.db
 
-An evaluation is a straight piece that is tested, by the exact test of the scene. Scenes with discs and grids only. The times are those of
-tests in Python: they say nothing about OMPL. Writes trees/ompl/NAME.ompl.log and trees/ompl.md.
+An evaluation is a straight segment that is checked for collisions, by the exact test of the scene. Scenes with discs and grids only. OMPL's
+planners have a range of a thirtieth of the box's extent and its own goal bias; their paths are simplified, as ours are, which is not counted.
+The times are those of tests in Python: they say nothing about OMPL. Writes trees/ompl-peers/NAME.log and trees/ompl.md.
 """
 
 import csv
 import json
+import re
 import statistics
 import sys
 import time
@@ -19,7 +21,6 @@ from pathlib import Path
 import numpy
 from ompl import base, geometric, util
 
-# As our trees are set: about a thirtieth of the box's diagonal a step, and the goal once in twenty.
 STEP, BIAS = 0.03, 0.05
 PLANNERS = ["RRT", "RRTConnect", "RRTstar"]
 TOUCH = 1e-9
@@ -176,10 +177,15 @@ def main():
         own = known.get(scene["name"])
         if kind is None or own is None:
             continue
-        runs, budget = max(len(one) for one in own.values()), next(iter(own.values()))[0]["budget"]
+        # What the suite ran last: its rows may also have those of other budgets and scenes.
+        log_of_ours = (folder / "ompl" / f"{file.stem}.log").read_text()
+        budget = int(re.search(r"^budget INTEGER = (\d+)$", log_of_ours, re.M)[1])
+        runs = int(re.search(r"^(\d+) runs per planner$", log_of_ours, re.M)[1])
+        own = {planner: [one for one in rows if one["budget"] == budget][-runs:] for planner, rows in own.items()}
         world = kind(scene)
         results = {planner: [run(world, scene["start"], scene["goal"], planner, budget) for _ in range(runs)] for planner in PLANNERS}
-        (folder / "ompl" / f"{file.stem}.ompl.log").write_text(log(scene["name"], budget, runs, results))
+        (folder / "ompl-peers").mkdir(exist_ok=True)
+        (folder / "ompl-peers" / f"{file.stem}.log").write_text(log(scene["name"], budget, runs, results))
         table += [row(scene["name"], planner, found) for planner, found in own.items()]
         table += [row(scene["name"], f"OMPL {planner}", found) for planner, found in results.items()]
     text = "\n".join(table) + "\n"

@@ -1,15 +1,7 @@
 // What docs/benchmarks.md says of measured results: tables and paragraphs of docs/benchmarks.json, which scripts/benchmarks.py writes.
 
-/** Rows as objects by column; columns of the same name get a number. */
-function rowsOf({ columns, rows }) {
-  const seen = new Map()
-  const names = columns.map((name) => {
-    const n = (seen.get(name) ?? 0) + 1
-    seen.set(name, n)
-    return n === 1 ? name : `${name} ${n}`
-  })
-  return rows.map((row) => Object.fromEntries(names.map((name, k) => [name, row[k]])))
-}
+/** Rows as objects by column. */
+const rowsOf = ({ columns, rows }) => rows.map((row) => Object.fromEntries(columns.map((name, k) => [name, row[k]])))
 
 const number = (text, digits = 3) => {
   const value = Number(text)
@@ -49,11 +41,11 @@ function centreBias(own) {
   const rows = rowsOf(own)
   const random = rows.find(isPeer)
   const ours = rows.filter((row) => !isPeer(row))
-  const drawn = ours.filter((row) => Number(row.from) > Number(random.to))
-  const turned = ours.filter((row) => Number(row['from 2']) > 1)
+  const drawn = ours.filter((row) => Number(row['shifted from']) > Number(random['shifted to']))
+  const turned = ours.filter((row) => Number(row['rotated from']) > 1)
   const ratio = (row) => `${code(row.planner)} (${number(row['shifted : centred'])})`
   return [
-    `Random search has ${number(random['shifted : centred'])} (${number(random.from)} to ${number(random.to)}), since a minimum near a border is farther from most positions.`,
+    `Random search has ${number(random['shifted : centred'])} (${number(random['shifted from'])} to ${number(random['shifted to'])}), since a minimum near a border is farther from most positions.`,
     `Above that with certainty: ${list(drawn.map(ratio))}.`,
     `Worse where the axes are turned, with certainty: ${list(turned.map((row) => `${code(row.planner)} (${number(row['rotated : centred'])})`))}.`,
   ].join(' ')
@@ -84,8 +76,8 @@ function tsplib({ same }) {
   ].join(' ')
 }
 
-function trees({ beside }) {
-  const rows = rowsOf(beside)
+function trees({ peers }) {
+  const rows = rowsOf(peers)
   const totals = new Map()
   for (const { planner, solved, evaluations } of rows) {
     const [count, all] = solved.split(' of ').map(Number)
@@ -135,6 +127,6 @@ export function machine({ machine: { cpu, cores, memory_gib, system, forage, pyt
 export function results(all, suite, table) {
   const own = all[suite]
   if (!own || !SAYS[suite]) throw new Error(`docs/benchmarks.json has no results of ${suite}`)
-  const rows = [...own.rows, ...(own.peers ?? [])].map((row) => row.map((cell, k) => (k === 0 ? cell : number(cell))))
+  const rows = [...own.rows, ...(Array.isArray(own.peers) ? own.peers : [])].map((row) => row.map((cell, k) => (k === 0 ? cell : number(cell))))
   return `    ${own.command}\n\n${table(own.columns, rows)}\n\n${SAYS[suite](own)}`
 }

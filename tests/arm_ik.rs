@@ -80,7 +80,13 @@ fn same(arm: &Arm, pose: &Isometry3<f64>, a: &Posture, b: &Posture) -> bool {
     farthest < SAME || farthest < MEETING && off(arm, &middle, pose) < CLOSE
 }
 
-fn check(arm: &Arm, sample: &Sample) -> usize {
+/// Whether all angles are the same up to rounding.
+fn close(a: &Posture, b: &Posture) -> bool {
+    (0..6).all(|k| apart(a[k], b[k]) < SAME)
+}
+
+/// How many branches there are; `meeting` counts those of regular poses that are not exactly one of each library's.
+fn check(arm: &Arm, sample: &Sample, meeting: &mut usize) -> usize {
     let Sample { kind, pose, branches } = sample;
     let wanted = isometry(pose);
     let found = arm.inverse_all(&wanted, &arm.home()).unwrap_or_else(|error| panic!("{pose:?}: {error:?}"));
@@ -92,6 +98,14 @@ fn check(arm: &Arm, sample: &Sample) -> usize {
         for branch in theirs {
             let has = found.iter().any(|own| same(arm, &wanted, own, branch));
             assert!(has, "kind {kind}, {pose:?}: lost {branch:?} of source {library}, has {:?}", &found[..]);
+        }
+    }
+    // Away from singularities each branch is one of each library's, and no two of ours are the same.
+    if *kind == 0 {
+        for theirs in &branches[1..] {
+            assert_eq!(theirs.len(), found.len(), "{pose:?}");
+            let strict = found.iter().filter(|own| theirs.iter().filter(|branch| close(own, branch)).count() == 1).count();
+            *meeting += found.len() - strict;
         }
     }
     for own in &found {
@@ -110,10 +124,13 @@ fn no_branch_is_lost_and_none_invented() {
         None => include_bytes!("arm_ik.bin").to_vec(),
     };
     let samples = samples(&bytes);
+    let mut meeting = 0;
     let mut counts: BTreeMap<(usize, usize), usize> = BTreeMap::new();
     for sample in &samples {
-        *counts.entry((sample.kind, check(arm, sample))).or_default() += 1;
+        *counts.entry((sample.kind, check(arm, sample, &mut meeting))).or_default() += 1;
     }
+    println!("{meeting} branches of regular poses that meet another one");
+    assert_eq!(meeting, 0);
     println!("{} poses; by kind and number of branches: {counts:?}", samples.len());
     assert!((0..5).all(|kind| samples.iter().any(|sample| sample.kind == kind)), "{counts:?}");
     // Away from singularities there are eight: two of the base, of the elbow and of the wrist.

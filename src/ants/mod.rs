@@ -51,4 +51,4 @@ pub(crate) use scouts::Scouts;
 pub use update::{Arrival, Update};
 
 /// What an evaluation of a colony is.
-pub(crate) const EVALUATION: &str = "an ant’s way from the start";
+pub(crate) const EVALUATION: &str = "an ant’s path from the start";

@@ -177,7 +177,7 @@ pub const ENTRY: Entry = Entry::new(
     start,
 )
 .family("dynamic")
-.evaluating("an ant’s way, or a cell that is closed")
+.evaluating("an ant’s path, or a cell that is closed")
 .kinds(KINDS)
 .parameters(&[&[COLONY.entry(), ITERATIONS.entry(), ANTS.entry()], DRIVE])
 .readings(READINGS)

@@ -120,7 +120,7 @@ pub const ENTRY: Entry = Entry::new(
     start,
 )
 .family("swarm")
-.evaluating("a position, or a straight piece that a tree tests")
+.evaluating("a position, or a straight segment that a tree checks for collisions")
 .kinds(PATHS)
 .parameters(&[
     &[POPULATION.entry(), ITERATIONS.entry(), STEP_SIZE.entry(), GOAL_BIAS.entry(), EXTENSIONS.entry(), W.entry(), C1.entry(), C2.entry()],

@@ -78,4 +78,4 @@ pub use space::Space;
 pub use task::Task;
 
 /// What an evaluation of a tree is.
-pub(crate) const EVALUATION: &str = "a straight piece that is tested";
+pub(crate) const EVALUATION: &str = "a straight segment that is checked for collisions";

@@ -243,7 +243,7 @@ pub(super) struct TreesArgs {
     /// How many runs on each scene; their numbers, from 1, are the seeds.
     #[arg(long, value_name = "N", default_value_t = trees::RUNS, value_parser = clap::value_parser!(u64).range(1..=100_000))]
     pub(super) runs: u64,
-    /// Evaluations of a run: straight pieces that are tested.
+    /// Evaluations of a run: straight segments that are checked for collisions.
     #[arg(long, value_name = "N", default_value_t = trees::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
     pub(super) budget: u64,
     #[command(flatten)]
@@ -317,7 +317,7 @@ pub(super) struct ExperimentArgs {
     /// Run nothing; merge these parts, in any order, into the file of a single run.
     #[arg(long, value_name = "PART", num_args = 1.., conflicts_with = "jobs", value_hint = ValueHint::FilePath)]
     pub(super) merge: Vec<PathBuf>,
-    /// Write how the best of each run fell over its evaluations: .csv, or .parquet. What is kept of each run is in files with .runs.csv
+    /// Write convergence curves, the best value of each run over its evaluations: .csv, or .parquet. What is kept of each run is in files with .runs.csv
     /// behind its name; of parts only those are written, and `--merge` takes them together.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) curves: Option<PathBuf>,

@@ -34,7 +34,7 @@ pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
     let (read::Experiment { sweep, out }, sources) = read_file(file)?;
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
     let rows = args.out.clone().unwrap_or_else(|| default_out(file, out.as_deref(), part));
-    check_outputs(args, &rows, &sources)?;
+    check_outputs(args, part, &rows, &sources)?;
     let existing = args.merge.iter().chain([&rows].into_iter().filter(|rows| rows.exists()));
     existing.into_iter().try_for_each(|rows| files::check(rows, None))?;
     let mut curves = args.curves.as_ref().map(|path| Curves::open(path, part, args.fresh)).transpose()?;
@@ -81,21 +81,23 @@ fn run_missing(sweep: &Sweep, kept: &mut Kept, curves: Option<&mut Curves>, args
 
 /// Refuses, before anything is run, to write over what is read or over the rows, and a report that cannot be written. Its folder is
 /// made if it is missing, as that of the rows is.
-fn check_outputs(args: &ExperimentArgs, rows: &Path, sources: &[PathBuf]) -> Result<(), Failure> {
+fn check_outputs(args: &ExperimentArgs, part: Part, rows: &Path, sources: &[PathBuf]) -> Result<(), Failure> {
     let field = if args.out.is_some() { "--out" } else { "out" };
     let mut others: Vec<(&str, &Path)> = sources.iter().map(|path| ("is read", path.as_path())).collect();
     files::check_apart(field, rows, &others)?;
     files::make_folder_of(field, rows)?;
     let damaged = sweep::damaged(rows);
     others.extend([("holds the rows", rows), ("would keep damaged rows", &damaged)]);
-    if let Some(curves) = &args.curves {
+    others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
+    let kept = args.curves.as_ref().map(|curves| sweep::curves::kept_at(curves, part));
+    if let (Some(curves), Some(kept)) = (&args.curves, &kept) {
         files::check_apart("--curves", curves, &others)?;
+        files::check_apart("--curves", kept, &others)?;
         files::make_folder_of("--curves", curves)?;
         files::check_target(curves)?;
-        others.push(("has the curves", curves));
+        others.extend([("has the curves", curves.as_path()), ("keeps the curves", kept)]);
     }
     let Some(report) = &args.report else { return Ok(()) };
-    others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
     files::check_apart("--report", report, &others)?;
     files::make_folder_of("--report", report)?;
     files::check_target(report)

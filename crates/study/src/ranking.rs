@@ -10,10 +10,17 @@ use super::{
     table::{Cell, Table, probability, significant},
 };
 
-/// The letters of the groups that one is in.
+/// The letters of the groups that one is in; with more groups than there are letters their numbers, with blanks between.
 pub(crate) fn letters(groups: &[Vec<usize>], one: usize) -> String {
-    groups.iter().zip('a'..='z').filter(|(group, _)| group.contains(&one)).map(|(_, letter)| letter).collect()
+    let own = groups.iter().enumerate().filter(|(_, group)| group.contains(&one)).map(|(k, _)| k);
+    if groups.len() > LETTERS {
+        return own.map(|k| (k + 1).to_string()).collect::<Vec<_>>().join(" ");
+    }
+    own.filter_map(|k| ('a'..='z').nth(k)).collect()
 }
+
+/// How many letters there are.
+const LETTERS: usize = 26;
 
 /// What planners cost on problems, the less the better.
 pub(crate) struct Ranking {
@@ -32,7 +39,7 @@ impl Ranking {
         Some((found, difference))
     }
 
-    /// Mean ranks, from the best; those that share a letter do not differ. `of`: what the problems are.
+    /// Mean ranks, from the best; those with a common group do not differ. `of`: what the problems are.
     pub(crate) fn table(&self, of: &str) -> Option<Table> {
         let (Friedman { ranks, p, .. }, difference) = self.ranks()?;
         let groups = alike(&ranks, difference);
@@ -42,7 +49,7 @@ impl Ranking {
             self.costs.len(),
             significant(difference, 3)
         );
-        let mut table = Table::new("ranks", title, &["planner", "mean rank", "alike"]);
+        let mut table = Table::new("ranks", title, &["planner", "mean rank", "group"]);
         let mut order: Vec<usize> = (0..ranks.len()).collect();
         order.sort_by(|&a, &b| ranks[a].total_cmp(&ranks[b]));
         for k in order {
@@ -84,6 +91,13 @@ impl Ranking {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn more_groups_than_letters_have_numbers() {
+        let groups: Vec<Vec<usize>> = (0..30).map(|k| vec![k, k + 1]).collect();
+        assert_eq!(letters(&groups, 29), "29 30");
+        assert_eq!(letters(&groups[..26], 25), "yz");
+    }
 
     #[test]
     fn ranks_that_do_not_differ_share_a_letter() {

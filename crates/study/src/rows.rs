@@ -77,6 +77,15 @@ impl<R: Row> Rows<R> {
         Ok(Self { path: path.to_owned(), file, headed: whole > 0, kept })
     }
 
+    /// Throws away all rows.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn clear(&mut self) -> Result<(), Failure> {
+        self.headed = false;
+        self.file.set_len(0).map_err(at(&self.path))
+    }
+
     /// Takes the rows that were there.
     pub fn take(&mut self) -> Vec<R> {
         std::mem::take(&mut self.kept)

@@ -28,7 +28,11 @@ pub fn significant(number: f64, digits: usize) -> String {
 
 /// A p-value as a number: four digits after the point, or two from the first that is not 0.
 pub fn probability(p: f64) -> String {
-    if p < 1e-4 { significant(p, 2) } else { format!("{p:.4}") }
+    match p {
+        0.0 => "< 1e-300".to_owned(),
+        1e-4.. => format!("{p:.4}"),
+        _ => significant(p, 2),
+    }
 }
 
 impl Cell {

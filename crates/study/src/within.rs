@@ -37,7 +37,7 @@ pub(crate) fn within<T>(
     budget: u64,
     mut attempt: impl FnMut(Setup) -> Result<Option<(T, Reached)>, Error>,
 ) -> Result<Option<T>, Error> {
-    if setup.params.get(ITERATIONS).is_some() {
+    if setup.params.get(ITERATIONS).is_some() || registry.planner(&setup.planner)?.parameter(ITERATIONS).is_none() {
         return Ok(attempt(setup)?.map(|(found, _)| found));
     }
     let spending = Spending::of(registry, &setup)?;

@@ -1,4 +1,4 @@
-//! How the best of each run fell: kept run by run beside the rows, and written as one table, CSV or Parquet.
+//! Convergence curves: kept run by run in a file of their own, and written as one table, CSV or Parquet.
 
 use std::{
     collections::BTreeMap,
@@ -76,12 +76,14 @@ pub struct Curves {
     path: PathBuf,
     format: Format,
     part: Part,
+    /// What is kept is thrown away when the first run begins.
+    fresh: bool,
     rows: Rows<Course>,
     known: BTreeMap<String, Course>,
 }
 
 impl Curves {
-    /// Opens, beside the table, what is kept of each run, from which the table is written in the end; `fresh`: throws that away. Of parts
+    /// Opens what is kept of each run, from which the table is written in the end; `fresh`: throws that away. Of parts
     /// there is no table; the whole takes what is kept of all of them.
     ///
     /// # Errors
@@ -95,15 +97,23 @@ impl Curves {
                 return Err(Error::refused("--curves", path.display().to_string(), allowed).into());
             }
         };
-        let mut rows = Rows::<Course>::open(&beside(path, part), fresh)?;
+        let mut rows = Rows::<Course>::open(&kept_at(path, part), false)?;
         let mut known: BTreeMap<String, Course> = BTreeMap::new();
         if part == Part::WHOLE && !fresh {
             for part in parts(path)? {
                 known.extend(Rows::<Course>::open(&part, false)?.take().into_iter().map(|course| (course.key(), course)));
             }
         }
-        known.extend(rows.take().into_iter().map(|course| (course.key(), course)));
-        Ok(Self { path: path.to_owned(), format, part, rows, known })
+        let own = rows.take();
+        if !fresh {
+            known.extend(own.into_iter().map(|course| (course.key(), course)));
+        }
+        Ok(Self { path: path.to_owned(), format, part, fresh, rows, known })
+    }
+
+    /// Throws away what was kept, if that is wanted: nothing was refused.
+    pub(super) fn begin(&mut self) -> Result<(), Failure> {
+        if std::mem::take(&mut self.fresh) { self.rows.clear() } else { Ok(()) }
     }
 
     /// Where the table goes.
@@ -138,7 +148,11 @@ impl Curves {
         if self.part != Part::WHOLE {
             return Ok(());
         }
-        let new = self.path.with_extension("new");
+        // A link is followed, and the file that it leads to is replaced.
+        let path = fs::canonicalize(&self.path).unwrap_or_else(|_| self.path.clone());
+        let mut file = path.file_name().unwrap_or_default().to_owned();
+        file.push(".new");
+        let new = path.with_file_name(file);
         let runs = kept.jobs().filter_map(|job| Some((job, self.known.get(&name(kept.sweep(), job))?)));
         match self.format {
             Format::Csv => write_csv(&new, kept.sweep(), runs)?,
@@ -147,15 +161,15 @@ impl Curves {
                 written.map_err(|problem| at(&new)(io::Error::other(problem.to_string())))?;
             }
         }
-        fs::rename(&new, &self.path).map_err(at(&self.path))
+        fs::rename(&new, &path).map_err(at(&path))
     }
 }
 
 /// Behind the name of the table stands this in the name of what is kept of each run.
 const KEPT: &str = ".runs.csv";
 
-/// What is kept of each run is beside the table.
-pub fn beside(path: &Path, part: Part) -> PathBuf {
+/// Where what is kept of each run is.
+pub fn kept_at(path: &Path, part: Part) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     if part != Part::WHOLE {
         name.push(format!(".{}-of-{}", part.index, part.of));

@@ -105,6 +105,9 @@ pub fn carry_out(
     pool.install(|| check_start(sweep, &left, control.stop)).inspect_err(|_| kept.leave())?;
     check_rows(sweep, kept, &pool, control.stop)?;
     kept.begin()?;
+    if let Some(curves) = &mut curves {
+        curves.begin()?;
+    }
     if !left.is_empty() {
         let total = sweep.work(kept.part());
         let mut done = 0;
@@ -131,16 +134,23 @@ pub fn carry_out(
 pub fn merge(sweep: &Sweep, kept: &mut Kept, curves: Option<&Curves>, parts: &[PathBuf], stop: &AtomicBool) -> Result<(), Failure> {
     let pool = runner::pool(None)?;
     let checked = kept.gather(parts).and_then(|()| check_rows(sweep, kept, &pool, stop));
-    checked.inspect_err(|_| kept.leave())?;
+    checked.and_then(|()| check_curves(kept, curves)).inspect_err(|_| kept.leave())?;
     kept.begin()?;
     kept.settle()?;
+    curves.map_or(Ok(()), |curves| curves.settle(kept))
+}
+
+/// Refuses a table of curves to which some are missing.
+fn check_curves(kept: &Kept, curves: Option<&Curves>) -> Result<(), Failure> {
     let Some(curves) = curves else { return Ok(()) };
     match curves.missing(kept)?.len() {
-        0 => curves.settle(kept),
+        0 => Ok(()),
         missing => {
-            let allowed =
-                format!("a table whose parts are beside it: {missing} runs have no curve; without --merge they are carried out again");
-            Err(Error::refused("--curves", curves.path().display().to_string(), Message::verbatim(allowed)).into())
+            let allowed = Message::verbatim(format!(
+                "left out: {missing} of {} runs have no kept curve; without --merge they are run again",
+                kept.counts().1
+            ));
+            Err(Error::refused("--curves", curves.path().display().to_string(), allowed).into())
         }
     }
 }

@@ -28,6 +28,8 @@ use super::{
 
 /// Between more than so many nobody reads a test of each two.
 const MOST_PAIRED: usize = 30;
+/// Whose runs take more than so many times the budget, is named.
+const OVER: f64 = 1.1;
 /// More than so many are not ranked: the time for it grows with their square.
 const MOST_RANKED: usize = 1000;
 
@@ -75,6 +77,8 @@ pub struct OfGroup {
     pub parameters: Overrides,
     /// What one of the planner's evaluations is; empty: it does not say.
     pub evaluation: &'static str,
+    /// How many evaluations its runs took: the median and the most.
+    pub evaluations: [f64; 2],
     /// Whether its runs differ at all: a test of what is the same each time says nothing.
     pub draws_lots: bool,
     /// Which optimum it is measured by; `None` where there is none.
@@ -150,10 +154,10 @@ impl Summary {
         }
         let difference = critical_difference(friedman.ranks.len(), friedman.blocks);
         if let Some(difference) = difference {
-            let _ = write!(title, "; they differ from {} on (Nemenyi, 5 %); those that share a letter do not", significant(difference, 3));
+            let _ = write!(title, "; they differ from {} on (Nemenyi, 5 %); those with a common group do not", significant(difference, 3));
         }
         let groups_alike = difference.map_or(Vec::new(), |difference| alike(&friedman.ranks, difference));
-        let mut table = Table::new("ranks", title, &["planner", "mean rank", "alike"]);
+        let mut table = Table::new("ranks", title, &["planner", "mean rank", "group"]);
         let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
         let mut rows: Vec<_> = self.ranked.iter().map(|&group| &groups[group]).zip(friedman.ranks.iter().copied()).enumerate().collect();
         rows.sort_by(|a, b| a.1.1.total_cmp(&b.1.1));
@@ -200,7 +204,7 @@ impl Summary {
             [(thing, _)] => format!("An evaluation is {thing}."),
             _ => {
                 let things: Vec<_> = things.iter().map(|(thing, whose)| format!("{thing} ({})", whose.join(", "))).collect();
-                format!("What an evaluation is differs: {}.", things.join("; "))
+                format!("Evaluations are of different kinds: {}.", things.join("; "))
             }
         };
         Some(format!("{what} An iteration that was begun is finished."))
@@ -210,6 +214,7 @@ impl Summary {
         let groups = self.scenes.first().map_or(0, |scene| scene.groups.len());
         let mut notes = Vec::new();
         notes.extend(self.evaluations());
+        notes.extend(self.scenes.iter().filter_map(OnScene::overspent));
         for scene in &self.scenes {
             let names = scene.groups.iter().filter(|group| !group.draws_lots).map(|group| group.summary.name.as_str());
             let names: Vec<&str> = names.collect();
@@ -245,7 +250,9 @@ impl OnScene {
             optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
             let draws_lots = runs.len() < 2 || runs.iter().any(|told| !told.deterministic);
             let times: Vec<Attempt> = runs.iter().map(|told| Attempt { hit: told.reached, spent: told.evaluations }).collect();
-            reached.push((planner.to_owned(), parameters, draws_lots, measured.map(|told| (told.by, near, times))));
+            let spent = forage::statistics::Summary::of(runs.iter().map(|told| told.evaluations));
+            let spent = spent.map_or([0.0; 2], |spent| [spent.median, spent.max]);
+            reached.push((planner.to_owned(), parameters, spent, draws_lots, measured.map(|told| (told.by, near, times))));
             groups.push(Group { name, values: runs.iter().map(|told| told.value).collect(), deterministic: !draws_lots });
         }
         let (summaries, pairs) = if groups.len() <= MOST_PAIRED {
@@ -254,25 +261,29 @@ impl OnScene {
         } else {
             (groups.chunks(1).flat_map(|group| compare(group).groups).collect(), None)
         };
-        let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, draws_lots, measured), summary)| OfGroup {
-            evaluation: registry.planner(&planner).map_or("", |entry| entry.evaluation),
-            planner,
-            parameters,
-            draws_lots,
-            exact_by: measured.as_ref().map(|(by, ..)| *by),
-            reached: measured.as_ref().map(|(_, near, runs)| *near as f64 / runs.len() as f64),
-            reached_interval: measured.as_ref().filter(|_| draws_lots).and_then(|(_, near, runs)| proportion(*near, runs.len())),
-            expected_evaluations: measured.as_ref().and_then(|(_, _, runs)| expected_running_time(runs)),
-            expected_interval: measured.filter(|_| draws_lots).and_then(|(_, _, runs)| expected_interval(runs)),
-            summary,
-        });
+        let groups =
+            reached.into_iter().zip(summaries).map(|((planner, parameters, evaluations, draws_lots, measured), summary)| OfGroup {
+                evaluations,
+                evaluation: registry.planner(&planner).map_or("", |entry| entry.evaluation),
+                planner,
+                parameters,
+                draws_lots,
+                exact_by: measured.as_ref().map(|(by, ..)| *by),
+                reached: measured.as_ref().map(|(_, near, runs)| *near as f64 / runs.len() as f64),
+                reached_interval: measured.as_ref().filter(|_| draws_lots).and_then(|(_, near, runs)| proportion(*near, runs.len())),
+                expected_evaluations: measured.as_ref().and_then(|(_, _, runs)| expected_running_time(runs)),
+                expected_interval: measured.filter(|_| draws_lots).and_then(|(_, _, runs)| expected_interval(runs)),
+                summary,
+            });
         Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, optimum }
     }
 
     fn table(&self, within: f64) -> Table {
-        const COLUMNS: [&str; 16] = [
+        const COLUMNS: [&str; 18] = [
             "planner",
             "runs",
+            "evaluations",
+            "most",
             "feasible %",
             "from",
             "to",
@@ -298,10 +309,13 @@ impl OnScene {
         let first = measured.next();
         let differ = measured.any(|by| Some(by) != first);
         let whose = if differ { ", which is not the same for all: see the last column" } else { "" };
-        let budget = self.budget.map_or("each after its own iterations".to_owned(), |budget| format!("each after {budget} evaluations"));
-        let title =
-            format!("{}: values of the feasible runs, {budget}; from, to: 95 % confidence; reached: within {near}{whose}", self.scene);
-        let columns = if differ { &COLUMNS[..] } else { &COLUMNS[..15] };
+        let budget =
+            self.budget.map_or("each with its own iterations".to_owned(), |budget| format!("with a budget of {budget} evaluations"));
+        let title = format!(
+            "{}: values of the feasible runs, {budget}; evaluations: median and most; from, to: 95 % confidence; reached: within {near}{whose}",
+            self.scene
+        );
+        let columns = if differ { &COLUMNS[..] } else { &COLUMNS[..17] };
         let mut table = Table::new(self.scene.clone(), title, columns);
         for group in &self.groups {
             let GroupSummary { runs, rate, rate_interval, summary, .. } = &group.summary;
@@ -312,6 +326,8 @@ impl OnScene {
             let mut row = vec![
                 group.summary.name.as_str().into(),
                 Cell::whole(*runs as u64),
+                Cell::Number(group.evaluations[0], 0),
+                Cell::Number(group.evaluations[1], 0),
                 Cell::Number(100.0 * rate, 1),
                 share(0),
                 share(1),
@@ -332,6 +348,16 @@ impl OnScene {
             table.rows.push(row);
         }
         table
+    }
+
+    /// Which planners took far more evaluations than the budget has.
+    fn overspent(&self) -> Option<String> {
+        let budget = self.budget? as f64;
+        let over = self.groups.iter().filter(|group| group.evaluations[1] > OVER * budget);
+        let named: Vec<String> = over.map(|group| format!("{} (up to {:.0})", group.summary.name, group.evaluations[1])).collect();
+        (!named.is_empty()).then(|| {
+            format!("{}: more than the budget, in the first state or in an iteration that was begun: {}.", self.scene, named.join(", "))
+        })
     }
 
     /// How many runs came near enough to the optimum, and how soon, if there is one.
@@ -386,7 +412,7 @@ impl OnScene {
 
 /// The interval of an expected running time; a sample without a success has no end.
 fn expected_interval(runs: Vec<Attempt>) -> Option<[Option<f64>; 2]> {
-    expected_running_time(&runs)?;
+    expected_running_time(&runs).filter(|_| runs.len() > 1)?;
     let statistic = |groups: &[Vec<Attempt>]| expected_running_time(&groups[0]).unwrap_or(f64::INFINITY);
     let interval = bootstrap(&[runs], RESAMPLES, &mut Stream::new(1, 0), statistic)?;
     Some(interval.map(|end| Some(end).filter(|end| end.is_finite())))

@@ -29,7 +29,7 @@ export const compare = {
     equalHelp: 'Each planner stops at this number of evaluations. An iteration that has begun is finished.',
     evaluation: (what: string) => `An evaluation is ${what}.`,
     evaluationDiffers: (things: readonly [what: string, planners: readonly string[]][]) =>
-      `What an evaluation is differs: ${things.map(([what, planners]) => `${what} (${planners.join(', ')})`).join('; ')}.`,
+      `Evaluations are of different kinds: ${things.map(([what, planners]) => `${what} (${planners.join(', ')})`).join('; ')}.`,
     watchHelp: 'At each tick you see every planner’s first iteration that has used them up.',
     ownHelp: 'Each planner runs as many iterations as it is set to: evaluations differ.',
   },

@@ -52,10 +52,18 @@ fn scenes_of_the_user_take_part_and_bad_ones_are_refused() {
     let mut names: Vec<String> = rows(&folder.join("out")).into_iter().map(|row| row["scene"].clone()).collect();
     names.dedup();
     assert_eq!(names.iter().filter(|name| *name == "arm-cuboid").count(), 3, "{names:?}");
+    // Another scene of the same name has rows of its own.
+    forage(&["generate", "rooms", "--seed", "5", "--out", file.to_str().unwrap()]);
+    let text_of = fs::read_to_string(&file).unwrap();
+    let name = rows(&folder.join("out"))[0]["scene"].clone();
+    let own: serde_json::Value = serde_json::from_str(&text_of).unwrap();
+    fs::write(&file, text_of.replace(own["name"].as_str().unwrap(), &name)).unwrap();
+    carry_out(&folder.join("out"), &[file.to_str().unwrap(), "arm-cuboid"]);
+    assert_eq!(rows(&folder.join("out")).iter().filter(|row| row["scene"] == name).count(), 2 * 3 * 4);
     let log = fs::read_to_string(folder.join("out/ompl/arm-cuboid.log")).unwrap();
     assert!(log.contains("Experiment arm-cuboid\n") && log.contains("\n3 planners\n") && log.contains("\n4 runs per planner\n"), "{log}");
     for (scenes, named) in
-        [(["wcpso-discs", "wcpso-discs"], "named once"), (["random-52", "random-52"], "named once"), (["nowhere", "sphere"], "nowhere")]
+        [(["wcpso-discs", "wcpso-discs"], "another name"), (["random-52", "random-52"], "another name"), (["nowhere", "sphere"], "nowhere")]
     {
         let output = carry_out(&folder.join("refused"), &scenes);
         assert!(output.status.code() == Some(2) && text(&output.stderr).contains(named), "{}", text(&output.stderr));

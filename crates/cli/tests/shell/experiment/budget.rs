@@ -42,7 +42,7 @@ fn all_planners_stop_at_the_evaluations_that_the_first_takes() {
     }
     assert_eq!(numbers(&out, "pso", "limit"), [30.0; 4]);
     assert_eq!(numbers(&out, "pso", "evaluations"), [310.0; 4]);
-    assert!(printed.contains("each after 310 evaluations") && printed.contains("An evaluation is a position."), "{printed}");
+    assert!(printed.contains("with a budget of 310 evaluations") && printed.contains("An evaluation is a position."), "{printed}");
 
     // A run of the row is one of the program, as long as it may be.
     let row = rows(&out).into_iter().find(|row| &row[1] == "wcpso" && &row[0] == "sphere").unwrap();
@@ -63,7 +63,7 @@ fn a_budget_is_what_the_file_says() {
     assert!(numbers(&out, "wcpso", "budget").iter().all(|budget| budget.is_nan()));
     assert_eq!(numbers(&out, "pso", "evaluations"), [310.0; 4]);
     assert!(numbers(&out, "cuckoo-search", "evaluations").iter().all(|spent| *spent > 1000.0));
-    assert!(printed.contains("each after its own iterations") && !printed.contains("An evaluation is"), "{printed}");
+    assert!(printed.contains("each with its own iterations") && !printed.contains("An evaluation is"), "{printed}");
 
     // What is set for a planner counts more than the budget; the rest spend it.
     let number = folder("budget-number", &format!("budget = 2000\n{UNEQUAL}"));
@@ -86,6 +86,17 @@ fn a_budget_is_what_the_file_says() {
     }
 }
 
+/// What improves its first tours before the first iteration takes more than the budget has, and the statistics say so.
+#[test]
+fn planners_that_exceed_the_budget_are_named() {
+    let folder = folder(
+        "budget-over",
+        "scenes = ['random-52']\nseeds = [1, 2]\nbudget = 2000\n[[planner]]\nname = 'sa'\n[[planner]]\nname = 'bat'\n",
+    );
+    let printed = carry_out(&folder, &[]);
+    assert!(printed.contains("more than the budget") && printed.contains("bat (up to ") && !printed.contains("sa (up to"), "{printed}");
+}
+
 #[test]
 fn what_an_evaluation_is_differs() {
     let folder = folder(
@@ -94,7 +105,7 @@ fn what_an_evaluation_is_differs() {
     );
     let printed = carry_out(&folder, &[]);
     assert!(
-        printed.contains("What an evaluation is differs: a cell that is closed (a-star); an ant’s way from the start (aco)."),
+        printed.contains("Evaluations are of different kinds: a cell that is closed (a-star); an ant’s path from the start (aco)."),
         "{printed}"
     );
 }

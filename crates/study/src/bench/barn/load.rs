@@ -37,6 +37,10 @@ const LOOK_AHEAD: f64 = 3.0;
 const MARGIN: f64 = 0.2;
 /// The side of a cell, in metres: half of a cylinder of the worlds that stand still. Where things move, the robot fits into a cell.
 const CELLS: [f64; 2] = [0.075, 0.5];
+/// The first number of a world with moving obstacles.
+const MOVES: usize = 300;
+/// Nothing is farther from the origin, in metres: a grid over more has too many cells.
+const FAR: f64 = 50.0;
 /// The radius of a cylinder of the paths that come with the worlds.
 const CYLINDER: f64 = 0.075;
 
@@ -62,11 +66,11 @@ pub(super) fn worlds(folder: &Path, radius: f64) -> Result<(Vec<World>, Vec<Stri
         Error::refused("DIR", folder.display().to_string(), allowed)
     })?;
     let (mut worlds, mut notes) = (Vec::new(), Vec::new());
-    for (set, first) in [("BARN", 0), ("DynaBARN", 300)] {
+    for (set, first) in [("BARN", 0), ("DynaBARN", MOVES)] {
         let folder = base.join("worlds").join(set);
         for (number, file) in numbered(&folder)? {
             let text = fs::read_to_string(&file).map_err(at(&file))?;
-            let world = if first == 0 { standing(&folder, number, &text, radius)? } else { moving(&base, number, &text, radius)? };
+            let world = if first == 0 { standing(&folder, number, &text, radius) } else { moving(&base, number, &text, radius)? };
             match world {
                 Ok(world) => worlds.push(world),
                 Err(note) => notes.push(format!("{}: {note}", file.display())),
@@ -144,21 +148,24 @@ fn grid(low: [f64; 2], high: [f64; 2], cell: f64, blocked: &[([f64; 2], f64)], e
     grid
 }
 
-fn standing(folder: &Path, number: usize, text: &str, radius: f64) -> Result<Result<World, String>, Failure> {
+fn standing(folder: &Path, number: usize, text: &str, radius: f64) -> Result<World, String> {
     let blocked: Vec<([f64; 2], f64)> = cylinders(text).into_iter().map(|(center, own, _)| (center, own)).collect();
+    if number >= MOVES {
+        return Err(format!("static worlds are numbered up to {}", MOVES - 1));
+    }
+    if blocked.iter().any(|&(center, own)| center.iter().chain([&own]).any(|number| !(-FAR..=FAR).contains(number))) {
+        return Err(format!("a cylinder is more than {FAR} m away or large, or its numbers are none"));
+    }
     let path = folder.join(format!("path_files/path_{number}.npy"));
-    let length = match fs::read(&path) {
-        Ok(bytes) => path_length(&bytes),
-        Err(problem) => return Err(at(&path)(problem)),
-    };
-    let Some(length) = length else { return Ok(Err("its path is no array of pairs".to_owned())) };
+    let length = fs::read(&path).ok().and_then(|bytes| path_length(&bytes));
+    let Some(length) = length else { return Err(format!("its path, {}, cannot be read", path.display())) };
     // A metre around all that stands, and around both ends.
     let all = || blocked.iter().map(|(center, _)| *center).chain(STANDING);
     let low = [0, 1].map(|axis| all().map(|point| point[axis]).fold(f64::INFINITY, f64::min) - 1.0);
     let high = [0, 1].map(|axis| all().map(|point| point[axis]).fold(f64::NEG_INFINITY, f64::max) + 1.0);
     let grid = grid(low, high, CELLS[0], &blocked, STANDING, radius);
     let cylinders = blocked.into_iter().map(|(center, own)| ([center[0] - low[0], center[1] - low[1]], own)).collect();
-    Ok(Ok(World { set: "BARN", number, grid, cylinders, length }))
+    Ok(World { set: "BARN", number, grid, cylinders, length })
 }
 
 fn moving(base: &Path, number: usize, text: &str, radius: f64) -> Result<Result<World, String>, Failure> {
@@ -177,7 +184,7 @@ fn moving(base: &Path, number: usize, text: &str, radius: f64) -> Result<Result<
     }
     let [start, goal] = MOVING;
     let length = along(&[start, goal]);
-    Ok(Ok(World { set: "DynaBARN", number: 300 + number, grid, cylinders: Vec::new(), length }))
+    Ok(Ok(World { set: "DynaBARN", number: MOVES + number, grid, cylinders: Vec::new(), length }))
 }
 
 /// The length of a world's path, with the way from the start and to the goal, as run.py computes it.

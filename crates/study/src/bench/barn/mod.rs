@@ -16,8 +16,10 @@ use std::{
 };
 
 use forage::{
-    Error, Registry, Run, Setup, Status, Value,
+    Error, Frame, Registry, Run, Setup, Status, Value,
+    describe::layers,
     geometry::{distance_squared, length},
+    kernel::Message,
     scene::{Header, grid},
 };
 
@@ -37,7 +39,9 @@ pub use row::Row;
 const FAMILY: &str = "dynamic";
 /// So near to the goal a run has succeeded, in metres.
 const NEAR: f64 = 1.0;
-/// What is set of planners, unless something else is.
+/// Tracks are drawn with 32 bits: what is less deep than this, in metres, is no contact.
+const ROUNDING: f64 = 1e-4;
+/// The parameter by which drives give up, which the challenge decides.
 const TIME_LIMIT: &str = "time_limit";
 
 /// The worlds of a folder.
@@ -65,7 +69,11 @@ impl Plan {
     /// A folder without worlds; a file that cannot be read.
     pub fn read(folder: &Path, radius: f64, every: usize) -> Result<Self, Failure> {
         let (worlds, notes) = worlds(folder, radius)?;
-        let worlds = worlds.into_iter().filter(|world| world.number % every.max(1) == 0).map(Arc::new).collect();
+        let worlds: Vec<_> = worlds.into_iter().filter(|world| world.number % every.max(1) == 0).map(Arc::new).collect();
+        if worlds.is_empty() {
+            let allowed = Message::verbatim("such that a world is left; their numbers begin with 0");
+            return Err(Error::refused("--every", every, allowed).into());
+        }
         Ok(Self { folder: folder.to_owned(), worlds, notes, radius })
     }
 }
@@ -83,6 +91,10 @@ impl Suite for Plan {
         check_count(self.worlds.len().saturating_mul(contenders.len()))?;
         let mut all = Vec::new();
         for contender in contenders {
+            if let Some(limit) = contender.params.get(TIME_LIMIT) {
+                let allowed = Message::verbatim(format!("left out: the challenge gives {LIMIT} s"));
+                return Err(Error::refused(TIME_LIMIT, limit.to_string(), allowed).within(&contender.planner));
+            }
             let contender = Arc::new(contender.clone());
             all.extend(self.worlds.iter().map(|world| Task {
                 registry: Arc::clone(registry),
@@ -117,31 +129,69 @@ fn score(success: bool, best: f64, time: f64) -> f64 {
     if success { best / time.clamp(2.0 * best, 8.0 * best) } else { 0.0 }
 }
 
-/// When and where a robot was, by iterations.
-#[derive(Default)]
-struct Track {
-    times: Vec<f64>,
-    lengths: Vec<f64>,
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum End {
+    Success,
+    Collision,
+    Timeout,
+    /// It gave up: there is no way for it.
+    GaveUp,
 }
 
-impl Track {
-    fn note(&mut self, run: &mut Run) {
-        let of = |wanted: &str, run: &mut Run| run.readings().iter().find(|(name, _)| *name == wanted).map_or(0.0, |(_, value)| value);
-        let (time, length) = (of("time", run), of("length", run));
-        self.times.push(time);
-        self.lengths.push(length);
-    }
+/// Where a robot was, and when: x, y and time.
+type Track = [[f64; 3]];
 
-    /// When it had gone so far.
-    fn time_at(&self, length: f64) -> f64 {
-        let k = self.lengths.partition_point(|gone| *gone < length);
-        match (k.checked_sub(1), self.lengths.get(k)) {
-            (Some(before), Some(after)) if *after > self.lengths[before] => {
-                let share = (length - self.lengths[before]) / (after - self.lengths[before]);
-                self.times[before] + share * (self.times[k] - self.times[before])
-            }
-            _ => self.times.get(k).or(self.times.last()).copied().unwrap_or(0.0),
+/// When it came within a metre of the goal, and how far it had gone.
+fn near(track: &Track, goal: [f64; 2]) -> Option<(f64, f64)> {
+    let mut gone = 0.0;
+    for pair in track.windows(2) {
+        let ([x, y, begun], [_, _, ended]) = (pair[0], pair[1]);
+        let long = length(&[[x, y], [pair[1][0], pair[1][1]]]);
+        let from = [x - goal[0], y - goal[1]];
+        let apart = from[0] * from[0] + from[1] * from[1] - NEAR * NEAR;
+        if apart <= 0.0 {
+            return Some((begun, gone));
         }
+        if long > 0.0 {
+            let along = [(pair[1][0] - x) / long, (pair[1][1] - y) / long];
+            // Where the straight line enters the circle around the goal.
+            let toward = -(from[0] * along[0] + from[1] * along[1]);
+            let under = toward * toward - apart;
+            let enters = if under >= 0.0 { toward - under.sqrt() } else { f64::INFINITY };
+            if (0.0..=long).contains(&enters) {
+                return Some((begun + enters / long * (ended - begun), gone + enters));
+            }
+        }
+        gone += long;
+    }
+    None
+}
+
+/// When a disc of a radius that follows the track first touches what is static, and how near it comes until `end`.
+fn contact(track: &Track, cylinders: &[([f64; 2], f64)], radius: f64, end: f64) -> (Option<f64>, Option<f64>) {
+    let (mut hit, mut nearest) = (None, None::<f64>);
+    for pair in track.windows(2).filter(|pair| pair[0][2] <= end) {
+        let [a, b] = [pair[0], pair[1]].map(|[x, y, _]| [x, y]);
+        let distance = |(center, own): &([f64; 2], f64)| distance_squared(a, b, *center).sqrt() - own - radius;
+        if let Some(distance) = cylinders.iter().map(distance).reduce(f64::min) {
+            nearest = Some(nearest.map_or(distance, |nearest| nearest.min(distance)));
+            if distance < -ROUNDING && hit.is_none() {
+                hit = Some(pair[0][2]);
+            }
+        }
+    }
+    (hit, nearest)
+}
+
+/// What ended a run that lasted for `lasted` seconds: what came first.
+fn end(near: Option<f64>, hit: Option<f64>, lasted: f64) -> (End, f64) {
+    let (near, hit) = (near.unwrap_or(f64::INFINITY), hit.unwrap_or(f64::INFINITY));
+    match () {
+        () if hit <= near && hit < LIMIT => (End::Collision, hit),
+        () if near < LIMIT => (End::Success, near),
+        () if lasted >= LIMIT => (End::Timeout, LIMIT),
+        () => (End::GaveUp, lasted),
     }
 }
 
@@ -150,9 +200,7 @@ impl Task {
         let name = format!("{}-{}", self.world.set, self.world.number);
         let scene = grid::KIND.scene(Header::named(&name, &name), self.world.grid.clone())?;
         let Contender { planner, mut params } = (*self.contender).clone();
-        if params.get(TIME_LIMIT).is_none() {
-            params.insert(TIME_LIMIT, Value::Number(LIMIT));
-        }
+        params.insert(TIME_LIMIT, Value::Number(LIMIT));
         Ok(Setup { planner, scene: Arc::new(scene), params, seed: self.world.number as u64 + 1 })
     }
 
@@ -162,77 +210,63 @@ impl Task {
         let setup = self.setup()?;
         let seed = setup.seed;
         let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
-        let mut track = Track::default();
-        track.note(&mut run);
-        let mut status = Status::Running;
-        while status == Status::Running {
-            status = run.step(1);
-            track.note(&mut run);
+        let reading = |run: &mut Run, wanted: &str| run.readings().iter().find(|(name, _)| *name == wanted).map_or(0.0, |(_, value)| value);
+        let mut hit = None;
+        loop {
+            let status = run.step(1);
+            if hit.is_none() && reading(&mut run, "collisions") > 0.0 {
+                hit = Some(reading(&mut run, "time"));
+            }
+            if status != Status::Running {
+                break;
+            }
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
         }
-        let hits = run.readings().iter().find(|(name, _)| *name == "collisions").map_or(0.0, |(_, hits)| hits);
-        let outcome = run.outcome();
-        let path = outcome.path.unwrap_or_default();
-        let (gone, near) = self.until_near(&path);
-        let clearance = self.clearance(&path);
-        let collided = hits > 0.0 || clearance.is_some_and(|clearance| clearance < 0.0);
-        let time = near.map_or(LIMIT, |near| track.time_at(near)).min(LIMIT);
-        let success = near.is_some() && !collided && time < LIMIT;
+        let track = driven(&run);
+        let near = near(&track, self.world.grid.goal.unwrap_or_default());
+        let until = near.map_or(LIMIT, |(time, _)| time);
+        let (touched, clearance) = contact(&track, &self.world.cylinders, self.radius, until);
+        let hit = [hit, touched].into_iter().flatten().reduce(f64::min);
+        let lasted = track.last().map_or(0.0, |last| last[2]).max(reading(&mut run, "time"));
+        let (end, time) = end(near.map(|(time, _)| time), hit, lasted);
+        let success = end == End::Success;
+        let gone = length(&track.iter().map(|&[x, y, _]| [x, y]).collect::<Vec<_>>());
         Ok(Some(Row {
             planner: self.contender.planner.clone(),
             params: self.contender.set(),
             set: self.world.set.to_owned(),
             world: self.world.number,
+            radius: self.radius,
             seed,
             success,
-            collided,
-            timeout: near.is_none() && !path.is_empty(),
+            collided: end == End::Collision,
+            timeout: end == End::Timeout,
             time,
-            length: near.unwrap_or(gone),
+            length: near.filter(|_| success).map_or(gone, |(_, gone)| gone),
             clearance,
             best: self.world.length,
             score: score(success, self.world.length, time),
             seconds: begun.elapsed().as_secs_f64(),
         }))
     }
+}
 
-    /// How far it went in all, and until it came near the goal.
-    fn until_near(&self, path: &[[f64; 2]]) -> (f64, Option<f64>) {
-        let goal = self.world.grid.goal.unwrap_or_default();
-        let mut gone = 0.0;
-        let mut near = None;
-        for pair in path.windows(2) {
-            let (a, b) = (pair[0], pair[1]);
-            let long = length(pair);
-            if near.is_none() && long > 0.0 {
-                let along = [(b[0] - a[0]) / long, (b[1] - a[1]) / long];
-                let from = [a[0] - goal[0], a[1] - goal[1]];
-                // Where the straight line enters the circle around the goal.
-                let toward = from[0] * along[0] + from[1] * along[1];
-                let under = toward * toward - (from[0] * from[0] + from[1] * from[1] - NEAR * NEAR);
-                let enters = (under >= 0.0).then(|| (-toward - under.sqrt()).max(0.0));
-                near = enters.filter(|enters| *enters <= long && toward <= 0.0).map(|enters| gone + enters);
-            }
-            gone += long;
-        }
-        (gone, near)
-    }
-
-    /// The smallest distance between its rim and what stands.
-    fn clearance(&self, path: &[[f64; 2]]) -> Option<f64> {
-        let apart = |pair: &[[f64; 2]], center: [f64; 2]| distance_squared(pair[0], pair[1], center).sqrt();
-        let distances = path.windows(2).flat_map(|pair| self.world.cylinders.iter().map(move |(center, own)| apart(pair, *center) - own));
-        distances.reduce(f64::min).map(|nearest| nearest - self.radius)
-    }
+/// The way that a run's robot has gone, as it is drawn.
+fn driven(run: &Run) -> Vec<[f64; 3]> {
+    let mut frame = Frame::default();
+    run.draw(&mut frame, usize::MAX);
+    let span = frame.spans().find(|span| span.layer == layers::TRACK.key);
+    let vertices = span.map_or(&[][..], |span| &frame.vertices()[4 * span.first as usize..4 * (span.first + span.count) as usize]);
+    vertices.chunks_exact(4).map(|vertex| [vertex[0], vertex[1], vertex[3]].map(f64::from)).collect()
 }
 
 impl Job for Task {
     type Row = Row;
 
     fn key(&self) -> String {
-        key(&self.contender.name(), self.world.number, self.world.number as u64 + 1)
+        key(&self.contender.name(), self.world.number, self.world.number as u64 + 1, self.radius)
     }
 
     fn weight(&self) -> u64 {
@@ -263,8 +297,22 @@ mod tests {
     }
 
     #[test]
-    fn the_time_is_when_it_had_gone_so_far() {
-        let track = Track { times: vec![0.0, 1.0, 2.0, 3.0], lengths: vec![0.0, 2.0, 2.0, 4.0] };
-        assert_eq!([0.0, 1.0, 2.0, 3.0, 4.0, 9.0].map(|length| track.time_at(length)), [0.0, 0.5, 1.0, 2.5, 3.0, 3.0]);
+    fn a_run_ends_by_what_comes_first() {
+        // Along x at 2 m/s; it waits for 10 s at x = 4. The goal is at 10.
+        let track = [[0.0, 0.0, 0.0], [4.0, 0.0, 2.0], [4.0, 0.0, 12.0], [10.0, 0.0, 15.0]];
+        let (time, gone) = near(&track, [10.0, 0.0]).unwrap();
+        assert!((time - 14.5).abs() < 1e-9 && (gone - 9.0).abs() < 1e-9);
+        assert_eq!(near(&track[..3], [10.0, 0.0]), None);
+        let pillar = [([6.0, 0.5], 0.1)];
+        assert_eq!(contact(&track, &pillar, 0.3, 99.0).0, None);
+        assert!((contact(&track, &pillar, 0.3, 99.0).1.unwrap() - 0.1).abs() < 1e-9);
+        assert_eq!(contact(&track, &pillar, 0.5, 99.0).0, Some(12.0));
+        assert_eq!(contact(&track, &pillar, 0.5, 11.0).0, None, "after the end it does not matter");
+        assert_eq!(end(Some(14.5), None, 15.0), (End::Success, 14.5));
+        assert_eq!(end(Some(14.5), Some(12.0), 15.0), (End::Collision, 12.0));
+        assert_eq!(end(Some(14.5), Some(14.8), 15.0), (End::Success, 14.5));
+        assert_eq!(end(None, None, 100.0), (End::Timeout, 100.0));
+        assert_eq!(end(Some(100.5), None, 101.0), (End::Timeout, 100.0));
+        assert_eq!(end(None, None, 3.0), (End::GaveUp, 3.0));
     }
 }

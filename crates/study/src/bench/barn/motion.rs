@@ -11,6 +11,8 @@ use super::super::super::failure::{Failure, at};
 
 /// Straight pieces for each stretch between two key frames.
 const PIECES: usize = 8;
+/// An animation takes so many seconds at least.
+const SHORTEST: f64 = 0.1;
 /// How long a jump from the end of an animation back to its beginning takes, in seconds.
 const JUMP: f64 = 1e-3;
 
@@ -59,7 +61,12 @@ impl Animation {
         };
         let frames: Vec<[f64; 3]> = frames.chunks(3).map(frame).collect::<Option<_>>()?;
         let grows = frames.windows(2).all(|pair| pair[0][0] < pair[1][0]) && frames.first()?[0] == 0.0 && frames.last()?[0] <= length;
-        (grows && length > 0.0 && groups.first()?.len() == 1 && frames.len() > 1).then_some(Self { length, frames })
+        (grows
+            && length >= SHORTEST
+            && frames.iter().flatten().all(|number| number.is_finite())
+            && groups.first()?.len() == 1
+            && frames.len() > 1)
+            .then_some(Self { length, frames })
     }
 
     /// Where it is between the `k`-th frame and the next, by the spline that Gazebo takes: its tangents are half the way between the frames

@@ -15,6 +15,8 @@ pub struct Row {
     pub set: String,
     /// The world's number in the challenge.
     pub world: usize,
+    /// The robot's radius, in metres.
+    pub radius: f64,
     /// The seed.
     pub seed: u64,
     /// Whether it came within a metre of the goal in time, and touched nothing.
@@ -46,7 +48,7 @@ impl Row {
 
 impl Kept for Row {
     fn key(&self) -> String {
-        key(&self.contender(), self.world, self.seed)
+        key(&self.contender(), self.world, self.seed, self.radius)
     }
 
     fn computed(&self) -> Self {
@@ -54,6 +56,6 @@ impl Kept for Row {
     }
 }
 
-pub(super) fn key(contender: &str, world: usize, seed: u64) -> String {
-    format!("{contender} in world {world} seed {seed}")
+pub(super) fn key(contender: &str, world: usize, seed: u64, radius: f64) -> String {
+    format!("{contender} in world {world} seed {seed} radius {radius}")
 }

@@ -40,7 +40,7 @@ fn cells(ratio: Option<Ratio>) -> [Cell; 3] {
 }
 
 fn ratios(rows: &[Row]) -> Table {
-    let columns = ["planner", "shifted : centred", "from", "to", "rotated : centred", "from", "to"];
+    let columns = ["planner", "shifted : centred", "shifted from", "shifted to", "rotated : centred", "rotated from", "rotated to"];
     let title = "Gap on shifted and on rotated functions as a multiple of that on centred ones, with 95 % intervals";
     let mut table = Table::new("centre-bias", title, &columns);
     for contender in contenders(rows) {

@@ -40,7 +40,7 @@ pub(super) fn write(rows: &[Row], scenes: &[Arc<Scene>], budget: u64, folder: &P
     for scene in scenes {
         let own: Vec<&Row> = rows.iter().filter(|row| row.scene == scene.name()).collect();
         if !own.is_empty() {
-            let name: String = scene.name().chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
+            let name = file_name(scene);
             let file = folder.join(format!("{name}.log"));
             fs::write(&file, log(&own, scene, budget)).map_err(at(&file))?;
             let file = folder.join(format!("{name}.json"));
@@ -48,6 +48,11 @@ pub(super) fn write(rows: &[Row], scenes: &[Arc<Scene>], budget: u64, folder: &P
         }
     }
     Ok(folder.to_owned())
+}
+
+/// The name of a scene's files.
+pub(super) fn file_name(scene: &Scene) -> String {
+    scene.name().chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect()
 }
 
 fn log(rows: &[&Row], scene: &Scene, budget: u64) -> String {
@@ -58,7 +63,8 @@ fn log(rows: &[&Row], scene: &Scene, budget: u64) -> String {
     // Writing to a text cannot fail.
     let _ = writeln!(out, "Forage version {}\nExperiment {}", env!("CARGO_PKG_VERSION"), one_word(scene.name()));
     let _ = writeln!(out, "1 experiment properties\nbudget INTEGER = {budget}");
-    let _ = writeln!(out, "Running on {}\nStarting at {}", host(), date());
+    // Rows are kept, and may have been computed on several machines: the log says of none when and where.
+    let _ = writeln!(out, "Running on unknown\nStarting at unknown");
     let _ = writeln!(out, "<<<|\n{} ({})\n|>>>", scene.header().title.replace(['\n', '|'], " "), scene.kind().name());
     // Runs end by their evaluations: no time or memory is set.
     let _ = writeln!(out, "1 is the random seed\ninf seconds per run\ninf MB per run\n{runs} runs per planner");
@@ -105,16 +111,4 @@ fn log(rows: &[&Row], scene: &Scene, budget: u64) -> String {
 /// Names end at a blank.
 fn one_word(name: &str) -> String {
     name.split_whitespace().collect::<Vec<_>>().join("_")
-}
-
-fn host() -> String {
-    let named = std::env::var("HOSTNAME").ok().filter(|name| !name.trim().is_empty());
-    named.map_or("unknown".to_owned(), |name| one_word(&name))
-}
-
-/// The day and the time, as far as the clock knows, in UTC.
-fn date() -> String {
-    #[expect(clippy::disallowed_types, reason = "a log says when it was written")]
-    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    chrono::DateTime::from_timestamp(since as i64, 0).map_or(String::new(), |date| date.format("%Y-%m-%d %H:%M:%S").to_string())
 }

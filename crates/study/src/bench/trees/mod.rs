@@ -65,8 +65,9 @@ impl Plan {
             scenes = registry.scenes().iter().filter(|scene| [DISCS, GRID, ARM].contains(&scene.kind())).cloned().collect();
         }
         for (k, scene) in scenes.iter().enumerate() {
-            if scenes[..k].iter().any(|other| other.name() == scene.name()) {
-                return Err(Error::refused("scene", scene.name(), Message::verbatim("named once: results are told apart by it")));
+            if scenes[..k].iter().any(|other| log::file_name(other) == log::file_name(scene)) {
+                let allowed = Message::verbatim("another name than that of the other scenes: files are named by it");
+                return Err(Error::refused("scene", scene.name(), allowed));
             }
         }
         Ok(Self { scenes, runs, budget })
@@ -103,7 +104,8 @@ impl Suite for Plan {
             }
         }
         if all.is_empty() {
-            return Err(Error::refused("scene", "these", Message::verbatim("scenes on which one of the planners runs")));
+            let names: Vec<&str> = self.scenes.iter().map(|scene| scene.name()).collect();
+            return Err(Error::refused("scene", names.join(", "), Message::verbatim("scenes on which one of the planners runs")));
         }
         Ok(all)
     }
@@ -116,6 +118,13 @@ impl Suite for Plan {
     fn table(&self, rows: &[Row]) -> Table {
         report::planners(rows)
     }
+}
+
+/// What a scene is, as 16 hexadecimal digits: FNV-1a of its file.
+fn content(scene: &Scene) -> String {
+    let hash =
+        scene.to_json().bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    format!("{hash:016x}")
 }
 
 impl Task {
@@ -152,6 +161,7 @@ impl Task {
             planner: self.contender.planner.clone(),
             params: self.contender.set(),
             scene: self.scene.name().to_owned(),
+            content: content(&self.scene),
             seed: self.seed,
             budget: self.budget,
             solved: outcome.feasible && outcome.length.is_some(),
@@ -173,7 +183,7 @@ impl Job for Task {
     type Row = Row;
 
     fn key(&self) -> String {
-        key(&self.contender.name(), self.scene.name(), self.seed, self.budget)
+        key(&self.contender.name(), self.scene.name(), &content(&self.scene), self.seed, self.budget)
     }
 
     fn weight(&self) -> u64 {

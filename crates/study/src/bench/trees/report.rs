@@ -1,4 +1,4 @@
-//! How the trees compare: a table for each scene, and how soon there is a way.
+//! How the trees compare: a table for each scene, and how soon there is a path.
 
 use std::{
     fmt::Write as _,
@@ -25,7 +25,7 @@ fn contenders(rows: &[Row]) -> Vec<String> {
     distinct(rows.iter().map(Row::contender))
 }
 
-/// Runs, solved with its interval, and the medians of evaluations until a way, of time, nodes, length, gap and clearance.
+/// Runs, solved with its interval, and the medians of evaluations until a path, of time, nodes, length, gap and clearance.
 fn cells(rows: &[&Row]) -> Vec<Cell> {
     let solved = rows.iter().filter(|row| row.solved).count();
     let interval = proportion(solved, rows.len());
@@ -51,7 +51,7 @@ const COLUMNS: [&str; 11] =
 pub(super) fn planners(rows: &[Row]) -> Table {
     // Lengths of different scenes have nothing in common.
     let columns = [&COLUMNS[..8], &COLUMNS[9..10]].concat();
-    let title = "All scenes: runs solved, with 95 % intervals; medians of the evaluations until there was a way, of time, nodes and gap";
+    let title = "All scenes: runs solved, with 95 % intervals; medians of the evaluations until there was a path, of time, nodes and gap";
     let mut table = Table::new("trees", title, &columns);
     for contender in contenders(rows) {
         let cells = cells(&rows.iter().filter(|row| row.contender() == contender).collect::<Vec<_>>());
@@ -84,7 +84,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     // Writing to a text cannot fail.
     let _ = writeln!(
         text,
-        "{} runs on {} scenes, at most {} evaluations each: straight pieces that are tested. A run is over earlier where its planner has \
+        "{} runs on {} scenes, at most {} evaluations each: straight segments that are checked for collisions. A run is over earlier where its planner has \
          nothing left to do. Solved is what was checked to be free. Times are of the machine that it was run on. The folder `ompl` has \
          the logs for OMPL's `ompl_benchmark_statistics`.\n",
         rows.len(),
@@ -92,7 +92,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         budgets.join(" or "),
     );
     text.push_str(&planners(rows).markdown());
-    text.push_str("\n![Share of runs that have a way over evaluations](solved.svg)\n");
+    text.push_str("\n![Share of runs that have a path over evaluations](solved.svg)\n");
     for name in scenes {
         text.push('\n');
         text.push_str(&scene(rows, &name).markdown());
@@ -101,7 +101,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     Ok(vec![report, picture])
 }
 
-/// The share of runs that have a way, over evaluations.
+/// The share of runs that have a path, over evaluations.
 fn draw(path: &Path, rows: &[Row]) -> Result<(), Failure> {
     let most = rows.iter().map(|row| row.budget as f64).fold(10.0, f64::max);
     let curve = |name: String| {
@@ -116,6 +116,6 @@ fn draw(path: &Path, rows: &[Row]) -> Result<(), Failure> {
         Curve { name, points }
     };
     let x = Axis { title: "evaluations", range: 1.0..most, log: true };
-    let y = Axis { title: "share of runs with a way", range: 0.0..1.02, log: false };
+    let y = Axis { title: "share of runs with a path", range: 0.0..1.02, log: false };
     plot::draw(path, &x, &y, &contenders(rows).into_iter().map(curve).collect::<Vec<_>>(), SeriesLabelPosition::UpperLeft)
 }

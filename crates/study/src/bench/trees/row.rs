@@ -13,6 +13,8 @@ pub struct Row {
     pub params: String,
     /// The scene.
     pub scene: String,
+    /// What the scene is: another one of the same name has another number.
+    pub content: String,
     /// The seed.
     pub seed: u64,
     /// How many evaluations there could be.
@@ -65,7 +67,7 @@ impl Row {
 
 impl Kept for Row {
     fn key(&self) -> String {
-        key(&self.contender(), &self.scene, self.seed, self.budget)
+        key(&self.contender(), &self.scene, &self.content, self.seed, self.budget)
     }
 
     fn computed(&self) -> Self {
@@ -73,6 +75,6 @@ impl Kept for Row {
     }
 }
 
-pub(super) fn key(contender: &str, scene: &str, seed: u64, budget: u64) -> String {
-    format!("{contender} on {scene} seed {seed} within {budget}")
+pub(super) fn key(contender: &str, scene: &str, content: &str, seed: u64, budget: u64) -> String {
+    format!("{contender} on {scene} ({content}) seed {seed} within {budget}")
 }
