@@ -127,6 +127,8 @@ export function machine({ machine: { cpu, cores, memory_gib, system, forage, pyt
 export function results(all, suite, table) {
   const own = all[suite]
   if (!own || !SAYS[suite]) throw new Error(`docs/benchmarks.json has no results of ${suite}`)
-  const rows = [...own.rows, ...(Array.isArray(own.peers) ? own.peers : [])].map((row) => row.map((cell, k) => (k === 0 ? cell : number(cell))))
+  const rows = [...own.rows, ...(Array.isArray(own.peers) ? own.peers : [])].map((row) =>
+    row.map((cell, k) => (k === 0 ? cell : number(cell))),
+  )
   return `    ${own.command}\n\n${table(own.columns, rows)}\n\n${SAYS[suite](own)}`
 }
