@@ -24,8 +24,8 @@ use forage::{
 };
 
 use self::{
-    load::{FASTEST, LIMIT, World, worlds},
-    row::key,
+    load::{LIMIT, World, worlds},
+    row::{key, score},
 };
 use super::{
     super::{failure::Failure, runner::Job, table::Table},
@@ -121,12 +121,6 @@ impl Suite for Plan {
     fn notes(&self) -> &[String] {
         &self.notes
     }
-}
-
-/// The challenge's score of a run through a world whose best way is so long.
-fn score(success: bool, best: f64, time: f64) -> f64 {
-    let best = best / FASTEST;
-    if success { best / time.clamp(2.0 * best, 8.0 * best) } else { 0.0 }
 }
 
 /// How a run ended.

@@ -20,8 +20,7 @@ use super::{
         },
         suite::{distinct, empty},
     },
-    row::Row,
-    score,
+    row::{Row, score},
 };
 
 /// The results that the repository has of its own planner, in Gazebo.

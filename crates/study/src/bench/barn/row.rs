@@ -2,7 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::super::{super::rows::Row as Kept, suite::named};
+use super::{
+    super::{super::rows::Row as Kept, suite::named},
+    load::FASTEST,
+};
+
+/// The challenge's score of a run through a world whose best path is so long.
+pub(super) fn score(success: bool, best: f64, time: f64) -> f64 {
+    let best = best / FASTEST;
+    if success { best / time.clamp(2.0 * best, 8.0 * best) } else { 0.0 }
+}
 
 /// What it came to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
