@@ -51,7 +51,8 @@ for (const [name, start] of Object.entries(ENGINES)) {
       const began = Date.now()
       let found
       do {
-        found = await browser.run(script, ...given)
+        // WebKit's driver fails while a page gives way to the next one: asked again, until there is no more patience.
+        found = await browser.run(script, ...given).catch((error) => error)
         if (found === expected) return
         await new Promise((passed) => setTimeout(passed, 50))
       } while (Date.now() - began < PATIENCE)
