@@ -33,7 +33,7 @@ const TURN: f64 = 0.5;
 const SENSOR: f64 = 10.0;
 /// How many seconds ahead it foresees.
 const LOOK_AHEAD: f64 = 3.0;
-/// Extra distance that it keeps from what moves, in metres.
+/// Safety margin to moving obstacles, in metres.
 const MARGIN: f64 = 0.2;
 /// The side of a cell, in metres: half of a cylinder of the worlds that stand still. Where things move, the robot fits into a cell.
 const CELLS: [f64; 2] = [0.075, 0.5];
