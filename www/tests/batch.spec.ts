@@ -8,6 +8,7 @@ import { violations } from './support/axe'
 import { budget, download, finished, keep, openBatch, seeds } from './support/batch'
 import { iterationsOf, trialOf } from './support/core'
 import { en, expect, test, pick } from './support/lab'
+import { Race } from './support/race'
 
 const SCENE = 'wcpso-discs'
 
@@ -77,12 +78,13 @@ test('a batch that is stopped keeps its rows; it goes on to the same file that i
 
   const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
   expect(head).toBe(
-    'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,within,reached,reached_iteration,settled,turns,deterministic,hash',
+    'scene,planner,seed,status,limit,iterations,budget,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,within,reached,reached_iteration,settled,turns,deterministic,hash',
   )
+  const allowance = Number(await page.getByTestId('batch-budget').inputValue())
   const records = recordsOf(['pso', 'cpso'], 40)
     .flat()
-    .map((record) => ({ ...record, within: 0.01 }))
-  const columns = head.split(',') as (keyof TrialRecord | 'within')[]
+    .map((record) => ({ ...record, within: 0.01, budget: allowance }))
+  const columns = head.split(',') as (keyof TrialRecord | 'within' | 'budget')[]
   const read = (text: string, like: unknown): unknown =>
     text === '' ? null : typeof like === 'number' ? Number(text) : typeof like === 'boolean' ? text === 'true' : text
   const told = lines.map((line, at) => line.split(',').map((cell, column) => read(cell, records[at]?.[columns[column] ?? 'hash'])))
@@ -119,13 +121,16 @@ test('the same planner takes part twice, with other parameters; the files name t
 
   const records = [recordsOf(['pso'], 3, { iterations: 40 }), recordsOf(['pso'], 3, { iterations: 40, w: 0.5 })].flat(2)
   const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
-  expect(head).toContain('scene,planner,seed,p.iterations,w,status,limit,iterations,budget,')
+  expect(head).toContain('scene,planner,seed,w,status,limit,iterations,budget,')
   expect(lines.map((line) => line.split(',').at(-1))).toEqual(records.map(({ hash }) => hash))
-  expect(lines.map((line) => line.split(',').slice(3, 5).join())).toEqual(['40,', '40,', '40,', '40,0.5', '40,0.5', '40,0.5'])
+  expect(lines.map((line) => line.split(',').slice(3, 6).join())).toEqual([
+    ...Array(3).fill(',exhausted,40'),
+    ...Array(3).fill('0.5,exhausted,40'),
+  ])
   const experiment = await download(page, 'toml')
   expect(experiment).toContain(`scenes = ["${SCENE}"]\nseeds = { from = 1, count = 3 }\nbudget = 6150\n`)
-  expect(experiment).toContain('[[planner]]\nname = "pso"\nparams = { iterations = 40 }\n')
-  expect(experiment).toContain('[[planner]]\nname = "pso"\nparams = { iterations = 40, w = 0.5 }\n')
+  expect(experiment).toContain('[[planner]]\nname = "pso"\n\n')
+  expect(experiment).toContain('[[planner]]\nname = "pso"\nparams = { w = 0.5 }\n')
 })
 
 test('the outlier is found by sorting and opened on the stage; a dot opens its run, too', async ({ lab, page }) => {
@@ -441,6 +446,32 @@ test('a planner that was taken out is put back where it was', async ({ lab, page
   await expect(page.getByTestId('entrant')).toHaveCount(4)
   expect(await names()).toEqual(before)
   await expect(page.getByTestId('entrant-restore')).toHaveCount(0)
+})
+
+test('a budget is spent where the first iteration misleads, as in the shell; what exceeds it is named', async ({ page, lab }) => {
+  const ground = 'scene=random-52&seeds=1-2&budget=3000&with=hybrid-bat,bat'
+  await lab.open(`#view=compare&as=statistics&${ground}`)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 4)
+  // The first iteration takes more evaluations than later ones: with as many as it lets expect, a third of the budget would be left.
+  const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
+  const rows = lines.map((line) => Object.fromEntries(line.split(',').map((cell, at) => [head.split(',')[at] ?? '', cell])))
+  const spent = rows.filter(({ planner }) => planner === 'hybrid-bat').map(({ evaluations }) => Number(evaluations))
+  expect(spent.every((evaluations) => evaluations >= 3000 && evaluations < 3300)).toBe(true)
+  const most = Math.max(...rows.filter(({ planner }) => planner === 'bat').map(({ evaluations }) => Number(evaluations)))
+  await expect(page.getByTestId('batch-overspent')).toContainText(text.results.upTo('Discrete bats', number(most)))
+  await expect(page.getByTestId('batch-overspent')).not.toContainText('perturbation')
+  // The shell chooses the iterations itself, by the same rule.
+  expect(await download(page, 'toml')).toMatch(/budget = 3000\n\n\[\[planner]]\nname = "hybrid-bat"\n\n\[\[planner]]\nname = "bat"\n$/)
+
+  await lab.open(`#view=compare&as=watch&${ground}`)
+  const race = new Race(page)
+  await expect(race.root).toHaveAttribute('data-still', 'true')
+  await race.timeline.focus()
+  await race.timeline.press('End')
+  await expect
+    .poll(async () => (await race.standings()).find(({ planner }) => planner === 'hybrid-bat')?.evaluations, { timeout: 20_000 })
+    .toBeGreaterThanOrEqual(3000)
 })
 
 test('instances of a function have other optima: runs are compared by how far above them they come', async ({ page, lab }) => {

@@ -78,7 +78,7 @@ export class SideRun {
   /** Whole runs with the seeds 1, 2, 3, …; with `evaluations` none goes on beyond those. */
   trials(setup: RunSetup, seeds: number, evaluations: number | null): Promise<TrialRecord[]> {
     const runs = Array.from({ length: seeds }, async (_, at): Promise<TrialRecord> => {
-      const errand: Errand = { key: '', seed: at + 1, setup: { ...setup, seed: at + 1 }, maps: null, budget: evaluations }
+      const errand: Errand = { key: '', seed: at + 1, setup: { ...setup, seed: at + 1 }, maps: null, budget: evaluations, most: null }
       const ending = await pool().run<Ending>((api) => api.run(errand), {
         signal: this.stopped.signal,
         watched: isWatched(setup),

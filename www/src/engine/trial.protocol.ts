@@ -31,6 +31,8 @@ export interface Errand {
   maps: Maps | null
   /** It ends with the step that brings it to so many evaluations, if not before. */
   budget: number | null
+  /** Where the budget decides how many iterations it has: the most that it may have. */
+  most: number | null
 }
 
 /** How a run ended: over, refused before it began, broken off, or with the core. */

@@ -9,7 +9,7 @@ import {
   type TrialRecord,
   type UncheckedSetup,
 } from '../../../pkg/node.js'
-import { iterationsFor } from '../../src/rooms/compare/plan/plan'
+import { iterationsFor } from '../../src/engine/budget'
 
 /* The same core under Node: what the page must agree with to the bit. */
 
@@ -94,5 +94,5 @@ export function iterationsOf(setup: Partial<UncheckedSetup>, evaluations: number
   let idle = 0
   let step = 0
   for (; step === 0; idle += 1) step = sessionAt(setup, idle + 1, (session) => session.evaluations) - first
-  return iterationsFor({ start: first, idle: idle - 1, step, limit }, evaluations)
+  return iterationsFor({ start: first, idle: idle - 1, step, limit }, evaluations, 1e6)
 }

@@ -5,6 +5,7 @@ import type { RunSetup } from '../../catalogue/own'
 import type { Files } from '../host'
 import { from } from './files'
 import { causeOf, refusalOf } from './refusal'
+import { AGAIN, iterationsFor, moreIterations, type Spending } from '../budget'
 import { within } from './answers'
 import { breathe, SLICE } from './pace'
 import { codeInLinks, registered } from './setups'
@@ -77,6 +78,19 @@ function compared(trial: Trial, maps: Maps | null): { record: TrialRecord; evalu
   return { record: { ...record, value: value - exact, exact: 0, reached, reached_iteration: null }, evaluations, values: above }
 }
 
+/** What a run spends that has just begun. */
+async function spendingOf(trial: Trial): Promise<Spending> {
+  const { evaluations: start, limit } = trial
+  for (;;) {
+    const idle = trial.iteration
+    let status = trial.advance(1)
+    for (; status === 'partly' && !stopped; status = trial.advance(1)) await breathe()
+    const step = trial.evaluations - start
+    if (step > 0 || status !== 'running' || stopped) return { start, idle, step, limit }
+    await breathe()
+  }
+}
+
 async function answered<T>(ask: () => T): Promise<Answer<T>> {
   try {
     return { ok: true, value: await ready(ask) }
@@ -104,23 +118,37 @@ const api = {
   slice: (...given: Parameters<typeof armSlice>): Promise<Answer<Uint8Array>> => answered(() => armSlice(...given)),
 
   /** Carries out a run to its end, or until `stop`. */
-  async run({ setup, maps, seed, budget }: Errand): Promise<Ending> {
+  async run(errand: Errand): Promise<Ending> {
+    const { setup, maps, seed, budget, most } = errand
     stopped = false
     const plain = await registered(setup)
     if (!plain.ok) return { is: 'refused', refusal: plain.refusal }
     const code = await codeInLinks(setup)
+    let given: Setup
     let trial: Trial
     try {
       await load('links')
-      trial = await ready(() => {
+      given = await ready(() => {
         const scene = maps ? generateScene(maps.generator as GeneratorName, { ...maps.params }, seed) : plain.value.scene
-        return new Trial({ ...plain.value, scene } as Setup, undefined)
+        return { ...plain.value, scene } as Setup
       })
+      trial = await ready(() => new Trial(given, undefined))
     } catch (error) {
       return { is: 'refused', refusal: refusedBy(error) }
     }
     try {
-      if (stopped || !(await stepToEnd(trial, budget, setup.code !== undefined))) return { is: 'stopped' }
+      let iterations = budget === null || most === null ? null : iterationsFor(await spendingOf(trial), budget, most)
+      for (let again = 0; ; again += 1) {
+        if (iterations !== null) {
+          const longer = new Trial({ ...given, params: { ...given.params, iterations } } as Setup, undefined)
+          trial.free()
+          trial = longer
+        }
+        if (stopped || !(await stepToEnd(trial, budget, setup.code !== undefined))) return { is: 'stopped' }
+        if (iterations === null || budget === null || most === null || again === AGAIN) break
+        iterations = moreIterations(trial, budget, most)
+        if (iterations === null) break
+      }
       const { record, evaluations, values } = compared(trial, maps)
       const row: Row = { record, link: trial.link() + (code.ok ? code.value : ''), curve: { evaluations, values } }
       return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
@@ -144,8 +172,9 @@ const api = {
     }
   },
 
-  /** What a run spends: evaluations before its first step, steps without any, those of the first step with some, and the most steps. */
-  async spends(setup: RunSetup): Promise<Answer<{ start: number; idle: number; step: number; limit: number }>> {
+  /** What a run spends. */
+  async spends(setup: RunSetup): Promise<Answer<Spending>> {
+    stopped = false
     const plain = await registered(setup)
     if (!plain.ok) return plain
     let trial: Trial
@@ -155,15 +184,7 @@ const api = {
       return { ok: false, refusal: refusedBy(error) }
     }
     try {
-      const { evaluations: start, limit } = trial
-      for (;;) {
-        const idle = trial.iteration
-        let status = trial.advance(1)
-        for (; status === 'partly'; status = trial.advance(1)) await breathe()
-        const step = trial.evaluations - start
-        if (step > 0 || status !== 'running') return { ok: true, value: { start, idle, step, limit } }
-        await breathe()
-      }
+      return { ok: true, value: await spendingOf(trial) }
     } catch (error) {
       throw broken(error)
     } finally {

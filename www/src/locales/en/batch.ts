@@ -50,6 +50,8 @@ export const batch = {
     gapAxis: 'gap to the exact optimum',
     gapAxisOwn: 'gap to the planner’s own exact optimum',
     yardsticks: { 'any-angle': 'any-angle optimum', cells: 'optimum over cells', matrix: 'shortest tour', stored: 'file’s optimum' },
+    overspent: (planners: string) => `More than the budget, before the first iteration or in one that had begun: ${planners}.`,
+    upTo: (name: string, most: string) => `${name} (up to ${most})`,
     measured: (name: string, yardstick: string) => `${name} by the ${yardstick}`,
     yardsticksDiffer: (measured: readonly string[]) =>
       `These planners have different exact optima: ${list(measured)}. Gaps, and nearness to the optimum, tell of each by itself; beside each other only their values can be compared.`,

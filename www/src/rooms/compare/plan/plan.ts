@@ -34,31 +34,9 @@ export interface Plan {
 /** How long runs last: so many evaluations, as many as the first entrant takes by its own iterations, or each as long as its own iterations. */
 export type Budget = number | 'first' | 'own'
 
-/** What a run spends. */
-export interface Spending {
-  /** Evaluations before its first step. */
-  start: number
-  /** Steps that evaluate nothing, before the first that does. */
-  idle: number
-  /** Evaluations of that one; 0: no step has any. */
-  step: number
-  /** The most steps that it takes. */
-  limit: number
-}
-
 export const MOST_ENTRANTS = 8
 export const COUNT = { least: 2, most: 1000, standard: 50 }
 export const MOST_BUDGET = 100_000_000
-/** More iterations no planner takes. */
-const MOST_ITERATIONS = 1_000_000
-
-/** What a run of this spending evaluates at most, by its own iterations. */
-export const allOf = ({ start, idle, step, limit }: Spending): number => start + step * (limit - idle)
-
-/** So many iterations spend these evaluations: one begun is finished. */
-export const iterationsFor = ({ start, idle, step }: Spending, evaluations: number): number =>
-  Math.min(MOST_ITERATIONS, Math.max(1, idle + Math.ceil((evaluations - start) / Math.max(step, 1))))
-
 const numbers = new Map<string, number>()
 const known = new WeakMap<Scene, number>()
 
@@ -84,14 +62,9 @@ export function applicable(planner: Planner, scene: Scene, params: Values): Reco
   )
 }
 
-/** The parameters that an entrant runs with, as far as they differ from the defaults, by name. `iterations`: for those that set none themselves. */
-export function paramsOf(
-  planner: Planner,
-  { params }: Entrant,
-  { scene }: Plan,
-  iterations: number | null,
-): Record<string, ParameterValue> {
-  const all = applicable(planner, scene, iterations === null ? params : { iterations, ...params })
+/** The parameters that an entrant runs with, as far as they differ from the defaults, by name. */
+export function paramsOf(planner: Planner, { params }: Entrant, { scene }: Plan): Record<string, ParameterValue> {
+  const all = applicable(planner, scene, params)
   return Object.fromEntries(Object.entries(all).sort(([a], [b]) => (a < b ? -1 : 1)))
 }
 

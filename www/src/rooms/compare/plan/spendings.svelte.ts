@@ -1,7 +1,7 @@
+import type { Spending } from '../../../engine/budget'
 import { isWatched } from '../../../catalogue/own'
 import { Aborted, pool } from '../../../engine/pool'
 import type { Answer } from '../../../engine/protocol'
-import type { Spending } from './plan'
 import type { Asked } from './standing'
 
 /** What runs spend, by key: asked of the core once. */

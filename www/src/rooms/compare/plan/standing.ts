@@ -2,7 +2,8 @@ import { codeOf, type RunSetup } from '../../../catalogue/own'
 import type { Catalogue, Planner, Scene } from 'forage-lab'
 import { compare as text } from '../../../locales/en/compare'
 import type { Maps, Values } from '../../../engine/trial.protocol'
-import { allOf, type Entrant, groundOf, iterationsFor, keyOf, labels, paramsOf, type Plan, planFor, runnerOf, type Spending } from './plan'
+import { allOf, iterationsFor, type Spending } from '../../../engine/budget'
+import { type Entrant, groundOf, keyOf, labels, paramsOf, type Plan, planFor, runnerOf } from './plan'
 
 /** An entrant as it stands in the plan. */
 export interface Standing {
@@ -15,6 +16,8 @@ export interface Standing {
   maps: Maps | null
   /** With which it runs, as far as they differ from the defaults. */
   params: Values
+  /** Where the budget decides how many iterations it has: as many as its first step lets expect, and the most that it could have. */
+  chosen: { iterations: number; most: number } | null
   key: string
   /** Why it isn't run. */
   trouble: string
@@ -44,7 +47,7 @@ interface Given {
 
 function askedFor(entrant: Entrant, all: Plan, planner: Planner): Asked {
   const plan = planFor(entrant, all)
-  const params = paramsOf(planner, entrant, plan, null)
+  const params = paramsOf(planner, entrant, plan)
   return {
     key: keyOf(planner, params, plan, null),
     setup: { planner: planner.name, ...codeOf(planner), scene: plan.scene, params, seed: plan.from },
@@ -80,16 +83,18 @@ export function standingsOf(
     if (!planner) {
       const runs = runnerOf(entrant, plan.scene, planners) !== undefined
       const trouble = runs ? text.entrants.otherTask : text.entrants.unsuited(groundOf(plan, generators))
-      return { entrant, label, planner, scene, maps, params: {}, key: '', trouble, ready: false, spending: null }
+      return { entrant, label, planner, scene, maps, params: {}, chosen: null, key: '', trouble, ready: false, spending: null }
     }
     const spending = askedFor(entrant, plan, planner)
     const known = spendings.of(spending.key)
     const ready = allowance === null || (allowance !== undefined && known !== undefined)
-    const iterations = allowance && known && known.step > 0 ? iterationsFor(known, allowance) : null
-    const params = paramsOf(planner, entrant, plan, planner.parameters.some(({ name }) => name === 'iterations') ? iterations : null)
+    const most = planner.parameters.find(({ name }) => name === 'iterations')?.max
+    const params = paramsOf(planner, entrant, plan)
+    const free = allowance && known && most !== undefined && !('iterations' in params)
+    const chosen = free ? { iterations: iterationsFor(known, allowance, most), most } : null
     const key = keyOf(planner, params, plan, allowance ?? null)
     const trouble = met.has(key) ? text.entrants.double : (spendings.refusalOf(spending.key) ?? refusals[key] ?? '')
     met.add(key)
-    return { entrant, label, planner, scene, maps, params, key, trouble, ready, spending }
+    return { entrant, label, planner, scene, maps, params, chosen, key, trouble, ready, spending }
   })
 }

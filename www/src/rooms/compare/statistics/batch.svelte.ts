@@ -109,7 +109,7 @@ export class Batch {
     const { plan, active, allowance } = this.comparison
     if (!plan) return null
     while (this.cursor < active.length * plan.count) {
-      const { planner, params, key, scene, maps } = active[this.cursor % active.length] ?? {}
+      const { planner, params, chosen, key, scene, maps } = active[this.cursor % active.length] ?? {}
       const seed = plan.from + Math.floor(this.cursor / active.length)
       this.cursor += 1
       const id = `${key} ${seed}`
@@ -117,7 +117,7 @@ export class Batch {
       this.begun.add(id)
       this.names.set(key, this.nameOf(key))
       const setup = { planner: planner.name, ...codeOf(planner), scene, params: params ?? {}, seed }
-      return { key, seed, setup, maps: maps ?? null, budget: allowance }
+      return { key, seed, setup, maps: maps ?? null, budget: allowance, most: chosen?.most ?? null }
     }
     return null
   }

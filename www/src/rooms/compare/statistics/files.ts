@@ -81,26 +81,15 @@ export function jsonLines(shown: Shown): string {
 /** Bare keys are letters, digits, dashes and underscores. */
 const key = (name: string): string => (/^[\w-]+$/.test(name) ? name : JSON.stringify(name))
 
-/**
- * `scene`: a name that ships, or the path of the file that goes with it. `iterations`: those of a planner that is not set to others; in the
- * shell a budget would choose them.
- */
-export function toml(
-  { plan, groups, allowance }: Shown,
-  name: string,
-  scene: string,
-  iterations: (planner: string) => ParameterValue | undefined,
-): string {
+/** `scene`: a name that ships, or the path of the file that goes with it. */
+export function toml({ plan, groups, allowance }: Shown, name: string, scene: string): string {
   const lines = [
     `# ${text.save.tomlHead} ${name}.toml`,
     `scenes = [${JSON.stringify(scene)}]`,
     `seeds = { from = ${plan.from}, count = ${plan.count} }`,
     `budget = ${allowance ?? '"own"'}`,
     ...groups.flatMap(({ planner, params }) => {
-      const usual = allowance === null ? undefined : iterations(planner)
-      const set = Object.entries(usual === undefined ? params : { iterations: usual, ...params }).map(
-        ([of, value]) => `${key(of)} = ${json(value)}`,
-      )
+      const set = Object.entries(params).map(([of, value]) => `${key(of)} = ${json(value)}`)
       return ['', '[[planner]]', `name = ${JSON.stringify(planner)}`, ...(set.length > 0 ? [`params = { ${set.join(', ')} }`] : [])]
     }),
   ]

@@ -32,6 +32,15 @@ export function valuesOf({ groups }: Shown, measure: Measure): number[] {
   return groups.flatMap(({ runs }) => runs.map(({ record }) => valueIn(measure, record)).filter((value) => value !== null))
 }
 
+/** Whose runs take more than so many times the budget, is named. The same in the shell. */
+const OVER = 1.1
+
+/** Planners that took far more evaluations than the budget has, each with the most. */
+export const overspent = ({ allowance, groups }: Pick<Shown, 'allowance' | 'groups'>): { label: string; most: number }[] =>
+  groups
+    .map(({ label, runs }) => ({ label, most: Math.max(0, ...runs.map(({ record }) => record.evaluations)) }))
+    .filter(({ most }) => allowance !== null && most > OVER * allowance)
+
 /** The gap up to which a length is the optimum: sums of the same steps in another order. */
 export const OPTIMAL = 1e-9
 

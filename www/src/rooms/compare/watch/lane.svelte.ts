@@ -1,4 +1,5 @@
 import type { Catalogue, Outcome, Scene, TrialCurve } from 'forage-lab'
+import { AGAIN, moreIterations } from '../../../engine/budget'
 import { codeOf } from '../../../catalogue/own'
 import type { Values } from '../../../engine/trial.protocol'
 import type { Refusal, Report, Run } from '../../../engine/protocol'
@@ -17,6 +18,15 @@ export interface LaneRun extends Run {
   most: number
 }
 
+/** How a lane runs. */
+export interface Wanted {
+  planner: string
+  params: Values
+  scene: Scene
+  /** The budget that it spends with iterations that were chosen for it, and the most of them; null: with its own. */
+  spends: { budget: number; iterations: number; most: number } | null
+}
+
 /** A run at a place, with its hash. */
 interface Settled {
   iteration: number
@@ -28,10 +38,9 @@ const BUDGET = 40_000
 
 /** A planner in a race: its run, in a thread of its own whose clock is evaluations, and what was reported of it last. */
 export class Lane {
-  planner = $state('')
-  /** With which it runs, as far as they differ from the defaults. */
-  params = $state.raw<Values>({})
-  scene = $state.raw<Scene | null>(null)
+  private wanted = $state.raw<Wanted | null>(null)
+  readonly planner = $derived(this.wanted?.planner ?? '')
+  readonly scene = $derived(this.wanted?.scene ?? null)
   /** What it is called. */
   label = $state('')
   /** Why it doesn't run here at all. */
@@ -70,6 +79,10 @@ export class Lane {
   /** Its planner's, if somebody wrote that. */
   private code: string | undefined
   private open = false
+  private seed = 0
+  /** With how many iterations it runs where its budget decides, and how often it had too few. */
+  private iterations: number | null = null
+  private again = 0
   /** Those who wait for the newest start, and for it to be where it goes. */
   private onstarted: ((begun: boolean) => void) | null = null
   private onarrived: ((picture: Report | null) => void) | null = null
@@ -94,29 +107,38 @@ export class Lane {
   ) {}
 
   /** Takes a planner with its parameters; false if it runs with them already. */
-  asks(planner: string, params: Values, scene: Scene): boolean {
-    const { code } = codeOf(this.setup.catalogue?.planners.find(({ name }) => name === planner))
+  asks(wanted: Wanted): boolean {
+    const { code } = codeOf(this.setup.catalogue?.planners.find(({ name }) => name === wanted.planner))
+    const before = this.wanted
     const same =
-      planner === this.planner &&
+      before !== null &&
+      wanted.planner === before.planner &&
       code === this.code &&
-      JSON.stringify(params) === JSON.stringify(this.params) &&
-      sameScene(scene, this.scene) &&
+      JSON.stringify([wanted.params, wanted.spends]) === JSON.stringify([before.params, before.spends]) &&
+      sameScene(wanted.scene, before.scene) &&
       this.open
-    this.planner = planner
+    this.wanted = wanted
     this.code = code
-    this.params = params
-    this.scene = scene
     return !same
   }
 
   /** The run begins again; of several starts the newest counts, the others are false. */
   start(seed: number): Promise<boolean> {
+    this.seed = seed
+    this.iterations = this.wanted?.spends?.iterations ?? null
+    this.again = 0
+    return this.begin()
+  }
+
+  private begin(): Promise<boolean> {
     this.crash = ''
     this.refusal = ''
     this.onstarted?.(false)
     this.arrive(null)
-    const { planner, params, scene, code } = this
-    if (!scene) return Promise.resolve(false)
+    const { wanted, code, seed, iterations } = this
+    if (!wanted) return Promise.resolve(false)
+    const { planner, scene } = wanted
+    const params = iterations === null ? wanted.params : { iterations, ...wanted.params }
     this.client.want({ start: { setup: { planner, code, scene, params, seed }, at: 0, play: false }, summary: false })
     if (!this.open) {
       this.open = true
@@ -181,7 +203,27 @@ export class Lane {
   }
 
   /** Where it is at a time of the race; nothing if it was called elsewhere meanwhile. */
-  go(clock: number): Promise<Report | null> {
+  async go(clock: number): Promise<Report | null> {
+    for (;;) {
+      const report = await this.reach(clock)
+      const more = report && this.lacks(report)
+      if (more === null) return report
+      this.pass(report)
+      this.iterations = more
+      this.again += 1
+      if (!(await this.begin())) return null
+    }
+  }
+
+  /** With how many iterations it has to begin again: those that it has end before its budget. */
+  private lacks({ status, iteration, evaluations }: Report): number | null {
+    const { iterations: limit } = this
+    const { spends } = this.wanted ?? {}
+    if (!spends || limit === null || status === 'running' || this.again === AGAIN) return null
+    return moreIterations({ iteration, evaluations, limit }, spends.budget, spends.most)
+  }
+
+  private reach(clock: number): Promise<Report | null> {
     if (!this.racing) return Promise.resolve(null)
     this.arrive(null)
     this.underway = true

@@ -37,7 +37,7 @@ export class Race extends Times {
 
   /** Goes over to what is compared now: on another scene or seed all begin again, else those that run otherwise. */
   follow = async (): Promise<void> => {
-    const { scene, from, active, waiting } = this.comparison
+    const { scene, from, active, waiting, allowance } = this.comparison
     if (!scene || waiting) return
     const again = from !== this.seed || !this.scene || !sameScene(scene, this.scene)
     if (!this.scene || !sameScene(scene, this.scene)) this.view = null
@@ -45,11 +45,12 @@ export class Race extends Times {
     this.seed = from
     const kept = new Map(this.lanes.map((lane) => [lane.slot, lane]))
     const fresh: Lane[] = []
-    this.lanes = active.map(({ entrant, params, label, scene: own }) => {
+    this.lanes = active.map(({ entrant, params, chosen, label, scene: own }) => {
       const lane = kept.get(entrant.slot) ?? new Lane(this.lab.setup, entrant.slot)
       kept.delete(entrant.slot)
       lane.label = label
-      if (lane.asks(entrant.planner, params, own)) fresh.push(lane)
+      const spends = allowance && chosen ? { budget: allowance, ...chosen } : null
+      if (lane.asks({ planner: entrant.planner, params, scene: own, spends })) fresh.push(lane)
       return lane
     })
     for (const lane of kept.values()) lane.dismiss()
