@@ -417,8 +417,8 @@ function* missingFiles(path, text) {
 // ---------------------------------------------------------------- Checks: commands
 
 /** Name and help of each subcommand. */
-function subcommands() {
-  const [, list] = forage('--help').split(/^Commands:\n/m)
+function subcommands(...of) {
+  const [, list = ''] = forage(...of, '--help').split(/^(?:Commands|Suites):\n/m)
   const rows = []
   for (const line of list.split('\n')) {
     const item = line.match(/^ {2}([a-z][a-z-]*) {2,}(.*)$/)
@@ -430,9 +430,9 @@ function subcommands() {
 }
 
 /** The options of a subcommand, and whether each takes a value. */
-function options(name) {
+function options(...names) {
   const known = new Map()
-  for (const [, option, value] of forage(name, '--help').matchAll(/^ {2,}(?:-\w, )?(--[a-z][a-z-]*)( [<[])?/gm))
+  for (const [, option, value] of forage(...names, '--help').matchAll(/^ {2,}(?:-\w, )?(--[a-z][a-z-]*)( [<[])?/gm))
     known.set(option, Boolean(value))
   return known
 }
@@ -457,7 +457,7 @@ function* commands(text) {
     }
   }
   const prose = text.replace(/^```[\s\S]*?^```/gm, '')
-  for (const [, command] of prose.matchAll(/`(forage [^`]+)`/g)) yield command
+  for (const [, command, indented] of prose.matchAll(/`(forage [^`]+)`|^ {4}(forage .*)$/gm)) yield command ?? indented
 }
 
 const isPlaceholder = (word) => /^[A-Z][A-Z0-9_.-]*(\.[a-z]+)?$/.test(basename(word)) || /[…*$<{]/.test(word)
@@ -490,7 +490,12 @@ function* wrongCommands(path, text) {
       yield wrong(`there is no subcommand ${name}`)
       continue
     }
-    const takes = options(name)
+    const under = subcommands(name).map(([one]) => one)
+    if (under.length && rest.length && !rest[0].startsWith('-') && !isPlaceholder(rest[0]) && !under.includes(rest[0])) {
+      yield wrong(`${name} has no subcommand ${rest[0]}`)
+      continue
+    }
+    const takes = options(name, ...(under.includes(rest[0]) ? [rest.shift()] : []))
     const positional = []
     const set = []
     const inputs = []

@@ -1,9 +1,7 @@
 //! Intervals of any statistic, by drawing from the sample.
 
-use statrs::statistics::{Data, OrderStatistics};
-
-use super::CONFIDENCE;
-use crate::kernel::rng::Stream;
+use super::{CONFIDENCE, summary::quantile};
+use crate::{kernel::rng::Stream, math};
 
 /// How many times a sample is drawn again, unless there is a reason for another number.
 pub const RESAMPLES: usize = 2000;
@@ -41,8 +39,8 @@ pub fn bootstrap<T: Clone>(
     if found.len() < resamples.div_ceil(2) {
         return None;
     }
-    let mut data = Data::new(found);
-    Some([1.0 - CONFIDENCE, 1.0 + CONFIDENCE].map(|level| data.quantile(level / 2.0)))
+    math::sort_numbers(&mut found);
+    Some([1.0 - CONFIDENCE, 1.0 + CONFIDENCE].map(|level| quantile(&found, level / 2.0)))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Summary, friedman, holm, proportion, rank_sum};
+use super::{Friedman, Summary, friedman, holm, proportion, rank_sum};
 
 /// The value of a failed run among ranks: more than any other, and, unlike infinity, with a difference of 0 from itself.
 pub const LAST: f64 = f64::MAX;
@@ -93,6 +93,8 @@ pub struct Ranks {
     pub statistic: Option<f64>,
     /// Its p-value by the chi-squared distribution.
     pub p: Option<f64>,
+    /// How far apart two mean ranks must be to differ at the 5 % level, by Nemenyi's test.
+    pub critical_difference: Option<f64>,
 }
 
 /// Summarises groups and tests whether they differ.
@@ -144,9 +146,10 @@ fn ranks(groups: &[Group], ranked: &[Vec<f64>]) -> Option<Ranks> {
         return None;
     }
     let found = friedman(&(0..blocks).map(|block| drawn.iter().map(|values| values[block]).collect()).collect::<Vec<_>>())?;
-    let mut ranks = found.ranks.into_iter();
-    let ranks = groups.iter().map(|group| if group.deterministic { None } else { ranks.next() }).collect();
-    Some(Ranks { blocks: found.blocks, ranks, statistic: found.statistic, p: found.p })
+    let Friedman { blocks, ranks, statistic, p, critical_difference } = found;
+    let mut each = ranks.into_iter();
+    let ranks = groups.iter().map(|group| if group.deterministic { None } else { each.next() }).collect();
+    Some(Ranks { blocks, ranks, statistic, p, critical_difference })
 }
 
 impl GroupSummary {

@@ -5,7 +5,7 @@ use statrs::distribution::{Continuous, ContinuousCDF, Normal};
 use super::CONFIDENCE;
 
 /// Steps of the integral, and how far from 0 it is taken.
-const STEPS: usize = 2000;
+const STEPS: usize = 400;
 const FAR: f64 = 9.0;
 
 /// The distribution of the range of `k` standard normal numbers: the studentised range with infinitely many degrees of freedom, by

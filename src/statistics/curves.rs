@@ -10,6 +10,11 @@ use crate::{
     math, message,
 };
 
+use super::{
+    running_time::{Attempt, RunningTime},
+    summary::{proportion, quantile},
+};
+
 /// A run's best values, each with the number of evaluations after which it was found; in this order.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 pub struct Curve {
@@ -50,24 +55,14 @@ pub struct Reached {
     pub evaluations: Vec<f64>,
     /// Shares, 0 to 1.
     pub shares: Vec<f64>,
+    /// The 95 % interval of the last share, by Wilson's score; `None` without runs.
+    pub interval: Option<[f64; 2]>,
+    /// How many evaluations a success takes; `None` if there was none, or if it is not known how many evaluations the runs took.
+    pub running_time: Option<RunningTime>,
 }
 
 /// More places than these cannot be seen. The first one and the groups' ends may be added to them.
 const MOST_PLACES: usize = 400;
-const ROUNDING: f64 = 1e-12;
-
-/// A quantile of numbers in order, some of which may be infinite: Hyndman and Fan's type 8, as in a [`Summary`](super::Summary). NaN
-/// of none.
-fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let at = (sorted.len() as f64 + 1.0 / 3.0) * share + 1.0 / 3.0;
-    let place = ((at + ROUNDING).floor() as usize).clamp(1, sorted.len().max(1));
-    let Some(&low) = sorted.get(place - 1) else { return f64::NAN };
-    let high = sorted.get(place).copied().unwrap_or(low);
-    let part = at - place as f64;
-    // Nothing is added to what may be infinite already.
-    if part <= ROUNDING || low == high { low } else { low + part * (high - low) }
-}
-
 /// The bands of groups of runs; `ends` says after how many evaluations the longest run of each group ended. A run without a feasible
 /// result yet counts as worse than all others; one that is over keeps its result.
 ///
@@ -168,18 +163,27 @@ impl Band {
     }
 }
 
-/// The shares of runs that had reached the optimum; `None` for a run that never did.
-pub fn reached(runs: &[Option<f64>]) -> Reached {
+/// The shares of runs that had reached the optimum; `None` for a run that never did. `spent`: how many evaluations each run took in all.
+///
+/// # Errors
+/// For more or fewer numbers in `spent` than runs.
+pub fn reached(runs: &[Option<f64>], spent: Option<&[f64]>) -> Result<Reached, Error> {
+    let running_time = match spent {
+        Some(spent) if spent.len() != runs.len() => return Err(Error::refused("spent", list_of(spent.len()), list_of(runs.len()))),
+        Some(spent) => RunningTime::of(runs.iter().zip(spent).map(|(&hit, &spent)| Attempt { hit, spent }).collect()),
+        None => None,
+    };
     let mut evaluations: Vec<f64> = runs.iter().flatten().copied().collect();
     math::sort_numbers(&mut evaluations);
-    let mut found = Reached { evaluations: Vec::new(), shares: Vec::new() };
+    let interval = proportion(evaluations.len(), runs.len());
+    let mut found = Reached { evaluations: Vec::new(), shares: Vec::new(), interval, running_time };
     for (k, &at) in evaluations.iter().enumerate() {
         if evaluations.get(k + 1) != Some(&at) {
             found.evaluations.push(at);
             found.shares.push((k + 1) as f64 / runs.len() as f64);
         }
     }
-    found
+    Ok(found)
 }
 
 #[cfg(test)]
@@ -238,26 +242,17 @@ mod tests {
 
     #[test]
     fn runs_that_miss_the_target_keep_the_share_below_one() {
-        assert_eq!(
-            reached(&[Some(30.0), None, Some(10.0), Some(30.0)]),
-            Reached { evaluations: vec![10.0, 30.0], shares: vec![0.25, 0.75] }
-        );
-        assert_eq!(reached(&[None, None]), Reached { evaluations: vec![], shares: vec![] });
-    }
-
-    /// python3 -c 'import numpy as n; x=[1,2,4,8,16]; print([n.quantile(x, q, method="median_unbiased") for q in (.25,.5,.75)])'
-    #[test]
-    fn quantiles_agree_with_numpy() {
-        let of = |share| quantile(&[1.0, 2.0, 4.0, 8.0, 16.0], share);
-        assert!((of(0.25) - 1.666_666_666_666_666_7).abs() < 1e-12 && of(0.5) == 4.0 && (of(0.75) - 10.666_666_666_666_668).abs() < 1e-12);
-        assert!(quantile(&[], 0.5).is_nan());
-        for count in 1..=23 {
-            let mut numbers: Vec<f64> = (0..count).map(|k| f64::from(7 * k % 23) + f64::from(k) / 9.0).collect();
-            math::sort_numbers(&mut numbers);
-            let summary = crate::statistics::Summary::of(numbers.iter().copied()).unwrap();
-            for (share, expected) in [(0.25, summary.lower), (0.5, summary.median), (0.75, summary.upper)] {
-                assert!((quantile(&numbers, share) - expected).abs() < 1e-12, "{share} of {count}");
-            }
-        }
+        let found = reached(&[Some(30.0), None, Some(10.0), Some(30.0)], Some(&[40.0; 4])).unwrap();
+        assert_eq!((found.evaluations, found.shares), (vec![10.0, 30.0], vec![0.25, 0.75]));
+        assert_eq!(found.interval, proportion(3, 4));
+        // Until the target 30 + 10 + 30, and all 40 of the run that never reached it.
+        let RunningTime { expected, interval } = found.running_time.unwrap();
+        assert!((expected - 110.0 / 3.0).abs() < 1e-12);
+        let [low, high] = interval.unwrap();
+        assert!(low.unwrap() < expected && expected < high.unwrap(), "{low:?} {high:?}");
+        let nothing = reached(&[None, None], None).unwrap();
+        assert_eq!((nothing.evaluations, nothing.running_time), (vec![], None));
+        let error = reached(&[None, None], Some(&[1.0])).unwrap_err();
+        assert_eq!(error.to_string(), "spent: a list of 1 is not allowed; it must be a list of 2");
     }
 }

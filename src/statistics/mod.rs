@@ -1,6 +1,6 @@
 //! Statistics of many runs: summaries, confidence intervals, rank-sum tests with correction, rank tables.
 //!
-//! Distributions, quantiles and ranks are those of the `statrs` crate. Nothing here is part of a
+//! Distributions are those of the `statrs` crate. Nothing here is part of a
 //! run: the bits of a p-value are not promised.
 
 mod bootstrap;
@@ -15,7 +15,7 @@ pub use bootstrap::{RESAMPLES, bootstrap};
 pub use compare::{Comparison, Group, GroupSummary, LAST, Pair, Ranks, comparable, compare};
 pub use critical::{alike, critical_difference};
 pub use curves::{Band, Bands, Curve, Reached, bands, reached};
-pub use running_time::{Attempt, expected_running_time, performance_ratios};
+pub use running_time::{Attempt, RunningTime, expected_running_time, performance_ratios};
 pub use summary::{Moments, Summary, proportion};
 pub use tests_between::{Friedman, RankSum, friedman, holm, rank_sum};
 

@@ -1,5 +1,10 @@
 //! How long it takes until a target is reached, counted in evaluations.
 
+use serde::Serialize;
+
+use super::{RESAMPLES, bootstrap};
+use crate::kernel::rng::Stream;
+
 /// How a run went towards a target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attempt {
@@ -23,14 +28,37 @@ pub fn expected_running_time(runs: &[Attempt]) -> Option<f64> {
     (successes > 0).then(|| all / successes as f64)
 }
 
+/// An [expected running time](expected_running_time) with its 95 % interval.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct RunningTime {
+    /// Evaluations for each success.
+    pub expected: f64,
+    /// The [bootstrap](bootstrap) interval, from a stream of its own; an end is `None` where so many samples have no success that there is
+    /// none. `None` for a single run.
+    pub interval: Option<[Option<f64>; 2]>,
+}
+
+impl RunningTime {
+    /// Of some runs; `None` if no run reached the target.
+    pub fn of(runs: Vec<Attempt>) -> Option<Self> {
+        let expected = expected_running_time(&runs)?;
+        let several = runs.len() > 1;
+        let statistic = |groups: &[Vec<Attempt>]| expected_running_time(&groups[0]).unwrap_or(f64::INFINITY);
+        let interval = if several { bootstrap(&[runs], RESAMPLES, &mut Stream::new(1, 0), statistic) } else { None };
+        Some(Self { expected, interval: interval.map(|ends| ends.map(|end| Some(end).filter(|end| end.is_finite()))) })
+    }
+}
+
 /// The ratios of performance profiles (Dolan and Moré 2002): of each solver, in ascending order, how many times more than the best it needed
-/// on the problems that it solved. `costs` are problem by problem the costs of all solvers, above 0, and `None` where one failed. The share
+/// on the problems that it solved. `costs` are problem by problem the costs of all solvers, none below 0, and `None` where one failed. The share
 /// of problems on which a solver needs at most τ times the best is the number of its ratios up to τ, divided by that of all problems.
 ///
 /// ```
 /// use forage::statistics::performance_ratios;
 /// let costs = [vec![Some(10.0), Some(20.0)], vec![Some(9.0), Some(3.0)], vec![Some(5.0), None]];
 /// assert_eq!(performance_ratios(&costs), [vec![1.0, 1.0, 3.0], vec![1.0, 2.0]]);
+/// assert_eq!(performance_ratios(&[vec![Some(0.0), Some(2.0)]]), [vec![1.0], vec![f64::INFINITY]]);
 /// ```
 pub fn performance_ratios(costs: &[Vec<Option<f64>>]) -> Vec<Vec<f64>> {
     let solvers = costs.iter().map(Vec::len).max().unwrap_or(0);
@@ -38,7 +66,8 @@ pub fn performance_ratios(costs: &[Vec<Option<f64>>]) -> Vec<Vec<f64>> {
     for problem in costs {
         let best = problem.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         for (ratios, cost) in ratios.iter_mut().zip(problem) {
-            ratios.extend(cost.map(|cost| cost / best));
+            // A cost of 0 is the best, whatever the others are.
+            ratios.extend(cost.map(|cost| if cost == best { 1.0 } else { cost / best }));
         }
     }
     ratios.iter_mut().for_each(|ratios| crate::math::sort_numbers(ratios));

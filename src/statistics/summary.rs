@@ -1,12 +1,12 @@
 //! Summaries of one sample: mean, spread, order statistics and confidence intervals.
 
 use serde::Serialize;
-use statrs::{
-    distribution::{ContinuousCDF, Normal, StudentsT},
-    statistics::{Data, OrderStatistics},
-};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 use super::CONFIDENCE;
+
+/// A place so near to a whole number is that number.
+const ROUNDING: f64 = 1e-12;
 
 /// Mean, spread and order statistics of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -40,8 +40,7 @@ impl Summary {
         let count = sorted.len();
         let (&min, &max) = (sorted.first()?, sorted.last()?);
         let moments = sorted.iter().fold(Moments::default(), |moments, &x| moments.with(x));
-        let mut data = Data::new(sorted);
-        let (lower, median, upper) = (data.lower_quartile(), data.median(), data.upper_quartile());
+        let [lower, median, upper] = [0.25, 0.5, 0.75].map(|share| quantile(&sorted, share));
         let interval = moments.interval().map(|[low, high]| [if min < 0.0 { low } else { low.max(0.0) }, high]);
         Some(Self { count, mean: moments.mean, std: moments.std(), interval, min, lower, median, upper, max })
     }
@@ -96,8 +95,22 @@ pub fn proportion(successes: usize, count: usize) -> Option<[f64; 2]> {
     Some([(middle - half).max(0.0), (middle + half).min(1.0)])
 }
 
+/// A quantile of numbers in order, some of which may be infinite: Hyndman and Fan's type 8, numpy's `median_unbiased`. NaN
+/// of none.
+pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let at = (sorted.len() as f64 + 1.0 / 3.0) * share + 1.0 / 3.0;
+    let place = ((at + ROUNDING).floor() as usize).clamp(1, sorted.len().max(1));
+    let Some(&low) = sorted.get(place - 1) else { return f64::NAN };
+    let high = sorted.get(place).copied().unwrap_or(low);
+    let part = at - place as f64;
+    // Nothing is added to what may be infinite already.
+    if part <= ROUNDING || low == high { low } else { low + part * (high - low) }
+}
+
 #[cfg(test)]
 mod tests {
+    use statrs::statistics::{Data, OrderStatistics};
+
     use super::*;
 
     /// python3 -c 'import numpy as n; x=[2,4,4,4,5,5,7,9.5]; print(n.mean(x), n.std(x, ddof=1), n.median(x))'
@@ -114,5 +127,21 @@ mod tests {
         assert_eq!((one.mean, one.median, one.std, one.interval), (3.0, 3.0, None, None));
         assert_eq!((one.lower, one.upper), (3.0, 3.0));
         assert_eq!(Summary::of([]), None);
+    }
+
+    /// python3 -c 'import numpy as n; x=[1,2,4,8,16]; print([n.quantile(x, q, method="median_unbiased") for q in (.25,.5,.75)])'
+    #[test]
+    fn quantiles_agree_with_numpy() {
+        let of = |share| quantile(&[1.0, 2.0, 4.0, 8.0, 16.0], share);
+        assert!((of(0.25) - 1.666_666_666_666_666_7).abs() < 1e-12 && of(0.5) == 4.0 && (of(0.75) - 10.666_666_666_666_668).abs() < 1e-12);
+        assert!(quantile(&[], 0.5).is_nan());
+        for count in 1..=23 {
+            let mut numbers: Vec<f64> = (0..count).map(|k| f64::from(7 * k % 23) + f64::from(k) / 9.0).collect();
+            crate::math::sort_numbers(&mut numbers);
+            for share in [0.0, 0.025, 0.25, 0.5, 0.75, 0.975, 1.0] {
+                let expected = Data::new(numbers.clone()).quantile(share);
+                assert!((quantile(&numbers, share) - expected).abs() < 1e-12, "{share} of {count}");
+            }
+        }
     }
 }

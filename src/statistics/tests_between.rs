@@ -5,6 +5,8 @@ use std::cmp::Ordering;
 use serde::Serialize;
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
+use super::critical::critical_difference;
+
 /// A sample of up to so many without ties is tested exactly, as SciPy does,
 const FEW: usize = 8;
 /// unless the other is so large that the approximation is as good.
@@ -102,6 +104,8 @@ pub struct Friedman {
     pub statistic: Option<f64>,
     /// The p-value; `None` without a statistic.
     pub p: Option<f64>,
+    /// How far apart two mean ranks must be to differ at the 5 % level, by Nemenyi's test; `None` for fewer than two treatments.
+    pub critical_difference: Option<f64>,
 }
 
 /// Friedman's test. `blocks` holds the treatments' numbers block by block, smaller is better; `None` without blocks, if they
@@ -125,7 +129,8 @@ pub fn friedman(blocks: &[Vec<f64>]) -> Option<Friedman> {
     let left = 1.0 - ties / (n * k_ * (k_ * k_ - 1.0));
     let statistic = (k >= 3 && left > 0.0).then(|| (raw / left).max(0.0));
     let p = statistic.and_then(|statistic| Some(ChiSquared::new(k_ - 1.0).ok()?.sf(statistic)));
-    Some(Friedman { blocks: blocks.len(), ranks: sums.iter().map(|sum| sum / n).collect(), statistic, p })
+    let critical_difference = critical_difference(k, blocks.len());
+    Some(Friedman { blocks: blocks.len(), ranks: sums.iter().map(|sum| sum / n).collect(), statistic, p, critical_difference })
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-import { compare, generateScene, type TrialRecord } from '../../pkg/node.js'
+import { compare, generateScene, reached, type TrialRecord } from '../../pkg/node.js'
 import { batch as text } from '../src/locales/en/batch'
 import { compare as plan } from '../src/locales/en/compare'
 import { PADDING, ROW } from '../src/render/plot/statistics/layout'
@@ -44,6 +44,20 @@ test('every run of a batch is the core’s own, whatever the number of workers, 
     await expect(row).toContainText(number(summary.std))
     await expect(row.locator('td').last()).toHaveText(number(comparison.friedman?.ranks[at], 3))
   }
+  // How surely and how soon they come near the optimum, and from when on mean ranks differ.
+  const near = groups.map((records) =>
+    reached(
+      records.map((record) => record.reached),
+      records.map((record) => record.evaluations),
+    ),
+  )
+  const time = near[0]?.running_time
+  if (!time) throw new Error('nobody came near')
+  const cells = page.getByTestId('batch-summary').locator('[data-planner=WCPSO] td')
+  await expect(cells.filter({ hasText: number(Math.round(time.expected)) })).toContainText(number(Math.round(time.interval?.[0] ?? NaN)))
+  await expect(page.getByTestId('batch-results')).toContainText(
+    text.summary.differFrom(number(comparison.friedman?.critical_difference ?? NaN, 3)),
+  )
   const pair = comparison.pairs[0]
   if (!pair) throw new Error('no pair')
   await expect(page.getByTestId('batch-pairs').locator('tbody tr td').nth(1)).toHaveText(number(pair.p, 3))

@@ -17,7 +17,7 @@ use crate::{
 struct Statistics {
     compare: fn(&JsValue) -> Result<JsComparison, JsValue>,
     bands: fn(&JsValue, &JsValue) -> Result<JsBands, JsValue>,
-    reached: fn(&JsValue) -> Result<JsReached, JsValue>,
+    reached: fn(&JsValue, &JsValue) -> Result<JsReached, JsValue>,
 }
 
 static STATISTICS: Tool<Statistics> = Tool::new("statistics");
@@ -30,7 +30,10 @@ pub fn offer_statistics() {
             let groups = each("groups", groups, |place, group| each(place, group, read_curve))?;
             plain(&statistics::bands(&groups, &numbers("ends", ends)?).map_err(js_error)?)
         },
-        reached: |runs| plain(&statistics::reached(&results("runs", runs)?)),
+        reached: |runs, spent| {
+            let spent = if spent.is_undefined() { None } else { Some(numbers("spent", spent)?) };
+            plain(&statistics::reached(&results("runs", runs)?, spent.as_deref()).map_err(js_error)?)
+        },
     });
 }
 
@@ -55,13 +58,14 @@ pub fn bands(groups: &JsCurves, ends: &JsNumbers) -> Result<JsBands, JsValue> {
     (STATISTICS.get()?.bands)(groups, ends)
 }
 
-/// Which share of runs had come near enough to the optimum after so many evaluations: of each run the `reached` of its record.
+/// Which share of runs had come near enough to the optimum after so many evaluations: of each run the `reached` of its record. `spent`: how
+/// many evaluations each took in all, for the expected running time.
 ///
 /// # Errors
-/// For anything that is no list of finite numbers and null.
+/// For anything that is no list of finite numbers and null, and for lists of different lengths.
 #[wasm_bindgen]
-pub fn reached(runs: &JsReachedRuns) -> Result<JsReached, JsValue> {
-    (STATISTICS.get()?.reached)(runs)
+pub fn reached(runs: &JsReachedRuns, spent: Option<JsNumbers>) -> Result<JsReached, JsValue> {
+    (STATISTICS.get()?.reached)(runs, &spent.map_or(JsValue::UNDEFINED, Into::into))
 }
 
 /// Reads each item of a list; `read` gets the item's path, e.g. `groups[2]`.

@@ -396,6 +396,8 @@ export type Friedman = {
   statistic: number | null
   /** Its p-value by the chi-squared distribution. */
   p: number | null
+  /** How far apart two mean ranks must be to differ at the 5 % level, by Nemenyi's test. */
+  critical_difference: number | null
 }
 
 /** A scene with a function to minimise. */
@@ -931,6 +933,10 @@ export type Reached = {
   evaluations: Array<number>
   /** Shares, 0 to 1. */
   shares: Array<number>
+  /** The 95 % interval of the last share, by Wilson's score; `null` without runs. */
+  interval: [number, number] | null
+  /** How many evaluations a success takes; `null` if there was none, or if it is not known how many evaluations the runs took. */
+  running_time: RunningTime | null
 }
 
 /** A number that a planner reports after each iteration. */
@@ -987,6 +993,17 @@ export type RunEvent = {
   obstacle?: number
   /** The reason, in a sentence. It follows from the rest, so that no hash depends on its words. */
   reason: Message
+}
+
+/** An [expected running time](expected_running_time) with its 95 % interval. */
+export type RunningTime = {
+  /** Evaluations for each success. */
+  expected: number
+  /**
+   * The [bootstrap](bootstrap) interval, from a stream of its own; an end is `null` where so many samples have no success that there is
+   * none. `null` for a single run.
+   */
+  interval: [number | null, number | null] | null
 }
 
 /** The content of a scene file. */

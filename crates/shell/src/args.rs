@@ -161,7 +161,7 @@ pub(super) enum Suite {
     /// The 24 noiseless functions of COCO
     #[command(after_help = examples::BENCH_BBOB)]
     Bbob(BbobArgs),
-    /// Whether planners are drawn to the middle of the search box, where most test functions have their minimum
+    /// Whether planners search near the centre of the search box, where most test functions have their minimum
     #[command(after_help = examples::BENCH_CENTRE_BIAS)]
     CentreBias(CentreBiasArgs),
     /// The problems of MovingAI's .scen files in a folder, against the optima that the files give
@@ -321,7 +321,7 @@ pub(super) struct ExperimentArgs {
     /// behind its name; of parts only those are written, and `--merge` takes them together.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) curves: Option<PathBuf>,
-    /// Write the statistics as Markdown.
+    /// Write the statistics as Markdown, and pictures next to it: runs near the optimum over evaluations, performance profile, mean ranks.
     #[arg(long, value_name = "FILE", conflicts_with = "shard", value_hint = ValueHint::FilePath)]
     pub(super) report: Option<PathBuf>,
     /// Print the statistics as JSON.

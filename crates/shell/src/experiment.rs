@@ -10,7 +10,7 @@ use std::{
 use forage::{Error, Link, Scene, kernel::Message};
 use forage_study::{
     runner::Control,
-    sweep::{self, Curves, Kept, Part, Summary, Sweep, read},
+    sweep::{self, Curves, Kept, Part, Summary, Sweep, pictures, read},
 };
 use serde_json::json;
 
@@ -56,7 +56,8 @@ fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
     if part == Part::WHOLE {
         let summary = Summary::of(kept);
         if let Some(path) = &args.report {
-            files::write(path, summary.markdown())?;
+            let shown = pictures::draw(kept, &summary, path)?;
+            files::write(path, summary.markdown() + &shown)?;
         }
         return if args.json { print_json(&summary) } else { print(&summary.text()) };
     }
@@ -100,7 +101,13 @@ fn check_outputs(args: &ExperimentArgs, part: Part, rows: &Path, sources: &[Path
     let Some(report) = &args.report else { return Ok(()) };
     files::check_apart("--report", report, &others)?;
     files::make_folder_of("--report", report)?;
-    files::check_target(report)
+    files::check_target(report)?;
+    others.push(("is the report", report));
+    for picture in pictures::paths_of(report) {
+        files::check_apart("--report", &picture, &others)?;
+        files::check_target(&picture)?;
+    }
+    Ok(())
 }
 
 /// Reads the experiment's file; returns it with the files that were read.

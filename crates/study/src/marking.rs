@@ -9,6 +9,7 @@ use super::{
     compared::{ComparedFigure, Computed, Printed},
     inference::mean_of,
     marks::{Marked, Marks, RankingMark, ValueMark},
+    table::p_is,
 };
 
 /// The rules, in words.
@@ -55,7 +56,7 @@ fn test(figure: &ComparedFigure, printed: Printed, mean: f64) -> (bool, String) 
         Computed::Runs(computed, values) => {
             if let Some((std, runs)) = std.zip(runs).filter(|_| is_near(computed.min, computed.max)) {
                 let p = welch([printed.value, std, runs as f64], [mean, computed.std.unwrap_or(0.0), computed.count as f64]);
-                return (p >= LEVEL, format!("Welch’s t-test of the means: p {}", probability(p)));
+                return (p >= LEVEL, format!("Welch’s t-test of the means: {}", p_is(p)));
             }
             let runs = runs.unwrap_or(1);
             let [low, high] = mean_of(values, runs as usize, 0);
@@ -119,11 +120,6 @@ pub fn welch(a: [f64; 3], b: [f64; 3]) -> f64 {
     let freedom = error * error / (ea * ea / (a[2] - 1.0) + eb * eb / (b[2] - 1.0));
     let t = (a[0] - b[0]).abs() / error.sqrt();
     StudentsT::new(0.0, 1.0, freedom).map_or(1.0, |distribution| 2.0 * distribution.sf(t))
-}
-
-/// A p-value for people.
-pub fn probability(p: f64) -> String {
-    if p < 1e-4 { "< 0.0001".to_owned() } else { format!("= {p:.4}") }
 }
 
 impl ComparedFigure {

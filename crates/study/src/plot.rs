@@ -27,6 +27,18 @@ impl Axis {
     pub(crate) fn log(title: &'static str, values: impl Iterator<Item = f64>) -> Self {
         let (least, most) = values.filter(|value| *value > 0.0).fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
         let range = if least < most { least..most } else { most.max(1e-9) / 2.0..most.max(1e-9) * 2.0 };
+        // Only powers of ten have labels: two at least are within.
+        let decade = |mut power: f64, bound: f64| {
+            while power > bound {
+                power /= 10.0;
+            }
+            while power * 10.0 <= bound {
+                power *= 10.0;
+            }
+            power
+        };
+        let (low, high) = (decade(1.0, range.start), 10.0 * decade(1.0, range.end));
+        let range = if decade(1.0, range.end) >= range.start * 10.0 { range } else { low..high };
         Self { title, range, log: true }
     }
 
@@ -41,6 +53,24 @@ impl Axis {
 pub(crate) struct Curve {
     pub name: String,
     pub points: Vec<(f64, f64)>,
+}
+
+impl Curve {
+    /// Which share of `all` is at most so large, of numbers in order: steps from `from` to `to`.
+    pub(crate) fn shares(name: &str, numbers: &[f64], all: usize, [from, to]: [f64; 2]) -> Self {
+        let share = |count: usize| count as f64 / all.max(1) as f64;
+        let first = numbers.partition_point(|number| *number <= from);
+        let mut points = vec![(from, share(first))];
+        for (k, at) in numbers.iter().enumerate().skip(first).filter(|(_, number)| **number <= to) {
+            // Equal numbers are one step.
+            if numbers.get(k + 1) != Some(at) {
+                let before = points.last().map_or(0.0, |point| point.1);
+                points.extend([(*at, before), (*at, share(k + 1))]);
+            }
+        }
+        points.push((to, points.last().map_or(0.0, |point| point.1)));
+        Self { name: name.to_owned(), points }
+    }
 }
 
 /// Draws curves, with the names where there is room for them.
@@ -199,4 +229,16 @@ where
     chart.configure_series_labels().position(legend).background_style(WHITE.mix(0.85)).draw()?;
     root.present()?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_steps() {
+        let Curve { points, .. } = Curve::shares("", &[1.0, 2.0, 2.0, 5.0, 9.0], 10, [1.0, 8.0]);
+        assert_eq!(points, [(1.0, 0.1), (2.0, 0.1), (2.0, 0.3), (5.0, 0.3), (5.0, 0.4), (8.0, 0.4)]);
+        assert_eq!(Curve::shares("", &[], 0, [1.0, 2.0]).points, [(1.0, 0.0), (2.0, 0.0)]);
+    }
 }

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use forage::statistics::{Friedman, alike, critical_difference, friedman, performance_ratios};
+use forage::statistics::{Friedman, alike, friedman, performance_ratios};
 
 use super::{
     failure::Failure,
     plot::{self, Axis, Curve, Ranked},
-    table::{Cell, Table, probability, significant},
+    table::{Cell, Table, p_is, significant},
 };
 
 /// The letters of the groups that one is in; with more groups than there are letters their numbers, with blanks between.
@@ -35,7 +35,7 @@ impl Ranking {
     fn ranks(&self) -> Option<(Friedman, f64)> {
         let numbers = |costs: &Vec<Option<f64>>| costs.iter().map(|cost| cost.unwrap_or(f64::INFINITY)).collect();
         let found = friedman(&self.costs.iter().map(numbers).collect::<Vec<Vec<f64>>>())?;
-        let difference = critical_difference(found.ranks.len(), found.blocks)?;
+        let difference = found.critical_difference?;
         Some((found, difference))
     }
 
@@ -43,7 +43,7 @@ impl Ranking {
     pub(crate) fn table(&self, of: &str) -> Option<Table> {
         let (Friedman { ranks, p, .. }, difference) = self.ranks()?;
         let groups = alike(&ranks, difference);
-        let p = p.map_or(String::new(), |p| format!(", Friedman’s p = {}", probability(p)));
+        let p = p.map_or(String::new(), |p| format!(", Friedman’s {}", p_is(p)));
         let title = format!(
             "Mean ranks over {} {of}{p}; ranks differ from {} on (Nemenyi, 5 %); those that share a letter do not",
             self.costs.len(),
@@ -70,17 +70,8 @@ impl Ranking {
     /// Draws the share of problems that each planner solves with at most so many times the least cost (Dolan and Moré 2002).
     pub(crate) fn draw_profile(&self, path: &Path, cost: &'static str) -> Result<(), Failure> {
         let ratios = performance_ratios(&self.costs);
-        let most = ratios.iter().flatten().copied().filter(|ratio| ratio.is_finite()).fold(1.0, f64::max) * 1.05;
-        let share = |count: usize| count as f64 / self.costs.len().max(1) as f64;
-        let curve = |(name, ratios): (&String, &Vec<f64>)| {
-            let mut points = vec![(1.0, share(ratios.iter().filter(|ratio| **ratio <= 1.0).count()))];
-            for (k, ratio) in ratios.iter().enumerate().filter(|(_, ratio)| **ratio > 1.0 && ratio.is_finite()) {
-                let before = points.last().map_or(0.0, |point| point.1);
-                points.extend([(*ratio, before), (*ratio, share(k + 1))]);
-            }
-            points.push((most, points.last().map_or(0.0, |point| point.1)));
-            Curve { name: name.clone(), points }
-        };
+        let most = ratios.iter().flatten().copied().filter(|ratio| ratio.is_finite()).fold(9.6, f64::max) * 1.05;
+        let curve = |(name, ratios): (&String, &Vec<f64>)| Curve::shares(name, ratios, self.costs.len(), [1.0, most]);
         let curves: Vec<Curve> = self.planners.iter().zip(&ratios).map(curve).collect();
         let x = Axis { title: cost, range: 1.0..most, log: true };
         let y = Axis { title: "share of problems", range: 0.0..1.02, log: false };

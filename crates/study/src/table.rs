@@ -35,6 +35,12 @@ pub fn probability(p: f64) -> String {
     }
 }
 
+/// A p-value in a sentence.
+pub fn p_is(p: f64) -> String {
+    let number = probability(p);
+    if number.starts_with('<') { format!("p {number}") } else { format!("p = {number}") }
+}
+
 impl Cell {
     /// A number that may be missing.
     pub fn maybe(number: Option<f64>, digits: usize) -> Self {

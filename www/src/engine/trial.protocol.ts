@@ -52,6 +52,7 @@ export interface Question {
     seeds: number[]
     values: (number | null)[]
     reached: (number | null)[]
+    spent: number[]
     settled: number[]
     end: number
   }[]

@@ -10,17 +10,16 @@ use forage::kernel::Message;
 use super::{
     super::{
         failure::Failure,
-        marking::probability,
         papers::PAPERS,
         report::Report,
-        table::{Cell, Table},
+        table::{Cell, Table, probability},
     },
     judged::{Answered, Judged, Mark},
 };
 
 /// The rules, in words.
 pub const RULES: &str = "Each claim is asked as one or more questions, and a test answers each: seeds 51 to 100, which no parameter was chosen by, and for questions across maps \
-six maps of each generator with five seeds each. p-values are two-sided and corrected for the claim’s other questions (Holm). *as claimed*: p < 0.05, the first planner is the better one in at least 60 % of all pairs of runs \
+six maps of each generator with five seeds each. Planners have the populations and iterations that the paper gives them, which is what it compares: one may spend more evaluations than another. p-values are two-sided and corrected for the claim’s other questions (Holm). *as claimed*: p < 0.05, the first planner is the better one in at least 60 % of all pairs of runs \
 (A; ties count half). *contrary*: p < 0.05 the other way. *trivial*: of lengths and costs, if the 95 % interval of the difference of the means lies within ±0.5 %. *undecided*: all else, for example because both planners always find the optimum.\n\n\
 A claim is **upheld** if all answers are as claimed, **refuted** if all are contrary or trivial (of a claim that says \"all\", \"best\" or \"never\" one contrary answer is enough), otherwise **undecided**. \
 Layouts that a paper does not print are reconstructions, so an answer is one about our reading of the paper.";
@@ -53,7 +52,7 @@ fn table(claim: &Judged) -> Table {
         &["question", "on", "planners", "n", "numbers", "test", "p", "effect", "answer"],
     );
     for part in &claim.parts {
-        let p = part.corrected.map_or(Cell::Empty, |p| Cell::Text(probability(p).trim_start_matches("= ").to_owned()));
+        let p = part.corrected.map_or(Cell::Empty, |p| Cell::Text(probability(p)));
         let n = if part.n == 0 { Cell::Empty } else { Cell::whole(part.n as u64) };
         let [question, on, numbers, effect] = [&part.question, &part.on, &part.numbers, &part.effect].map(|text| Cell::Text(text.clone()));
         table.rows.push(vec![question, on, Cell::Text(planners(part)), n, numbers, part.test.into(), p, effect, part.answer.name().into()]);

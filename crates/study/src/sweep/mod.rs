@@ -10,6 +10,7 @@
 pub mod curves;
 pub mod kept;
 pub mod line;
+pub mod pictures;
 pub mod plan;
 pub mod read;
 pub mod summary;

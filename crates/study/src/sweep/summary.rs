@@ -1,24 +1,25 @@
 //! What the rows of a sweep have in common, and whether planners differ.
 
-use std::{fmt::Write, path::PathBuf};
+use std::{
+    fmt::Write,
+    path::{Path, PathBuf},
+};
 
 use serde::Serialize;
 
 use forage::{
     Overrides, Registry,
     kernel::ReferenceOptimum,
-    kernel::rng::Stream,
-    statistics::{
-        Attempt, Comparison, Friedman, Group, GroupSummary, Pair, RESAMPLES, alike, bootstrap, comparable, compare, critical_difference,
-        expected_running_time, friedman, proportion,
-    },
+    statistics::{Attempt, Comparison, Friedman, Group, GroupSummary, Pair, RunningTime, alike, comparable, compare, friedman, proportion},
 };
 
 use super::{
     super::{
         escape::{escape, escape_lines, path_text, serialize_path},
+        failure::Failure,
+        plot::{self, Ranked},
         ranking::letters,
-        table::{Cell, Table, probability, significant},
+        table::{Cell, Table, p_is, probability, significant},
     },
     kept::Kept,
     line::{Optimum, Told},
@@ -27,7 +28,7 @@ use super::{
 };
 
 /// Between more than so many nobody reads a test of each two.
-const MOST_PAIRED: usize = 30;
+pub(super) const MOST_PAIRED: usize = 30;
 /// Whose runs take more than so many times the budget, is named.
 const OVER: f64 = 1.1;
 /// More than so many are not ranked: the time for it grows with their square.
@@ -150,9 +151,9 @@ impl Summary {
     fn ranked(&self, friedman: &Friedman) -> Table {
         let mut title = format!("Mean ranks over {} blocks, scene × seed (Friedman)", friedman.blocks);
         if let (Some(statistic), Some(p)) = (friedman.statistic, friedman.p) {
-            let _ = write!(title, ": χ² = {}, p = {}", significant(statistic, 4), probability(p));
+            let _ = write!(title, ": χ² = {}, {}", significant(statistic, 4), p_is(p));
         }
-        let difference = critical_difference(friedman.ranks.len(), friedman.blocks);
+        let difference = friedman.critical_difference;
         if let Some(difference) = difference {
             let _ = write!(title, "; they differ from {} on (Nemenyi, 5 %); those with a common group do not", significant(difference, 3));
         }
@@ -166,6 +167,19 @@ impl Summary {
         };
         table.rows = rows.into_iter().map(row).collect();
         table
+    }
+
+    /// Draws the mean ranks; whether there was something to draw.
+    pub(super) fn draw_ranks(&self, path: &Path) -> Result<bool, Failure> {
+        let Some((friedman, difference)) = self.friedman.as_ref().and_then(|friedman| Some((friedman, friedman.critical_difference?)))
+        else {
+            return Ok(false);
+        };
+        let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
+        let named = self.ranked.iter().map(|&group| groups[group].summary.name.clone());
+        let ranked: Vec<Ranked> = named.zip(&friedman.ranks).map(|(name, &rank)| Ranked { name, rank }).collect();
+        plot::draw_ranks(path, &ranked, difference, &alike(&friedman.ranks, difference))?;
+        Ok(true)
     }
 
     fn heading(&self) -> String {
@@ -261,8 +275,9 @@ impl OnScene {
         } else {
             (groups.chunks(1).flat_map(|group| compare(group).groups).collect(), None)
         };
-        let groups =
-            reached.into_iter().zip(summaries).map(|((planner, parameters, evaluations, draws_lots, measured), summary)| OfGroup {
+        let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, evaluations, draws_lots, measured), summary)| {
+            let time = measured.as_ref().and_then(|(_, _, runs)| RunningTime::of(runs.clone()));
+            OfGroup {
                 evaluations,
                 evaluation: registry.planner(&planner).map_or("", |entry| entry.evaluation),
                 planner,
@@ -271,10 +286,11 @@ impl OnScene {
                 exact_by: measured.as_ref().map(|(by, ..)| *by),
                 reached: measured.as_ref().map(|(_, near, runs)| *near as f64 / runs.len() as f64),
                 reached_interval: measured.as_ref().filter(|_| draws_lots).and_then(|(_, near, runs)| proportion(*near, runs.len())),
-                expected_evaluations: measured.as_ref().and_then(|(_, _, runs)| expected_running_time(runs)),
-                expected_interval: measured.filter(|_| draws_lots).and_then(|(_, _, runs)| expected_interval(runs)),
+                expected_evaluations: time.as_ref().map(|time| time.expected),
+                expected_interval: time.filter(|_| draws_lots).and_then(|time| time.interval),
                 summary,
-            });
+            }
+        });
         Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, optimum }
     }
 
@@ -408,14 +424,6 @@ impl OnScene {
         }
         Some(table)
     }
-}
-
-/// The interval of an expected running time; a sample without a success has no end.
-fn expected_interval(runs: Vec<Attempt>) -> Option<[Option<f64>; 2]> {
-    expected_running_time(&runs).filter(|_| runs.len() > 1)?;
-    let statistic = |groups: &[Vec<Attempt>]| expected_running_time(&groups[0]).unwrap_or(f64::INFINITY);
-    let interval = bootstrap(&[runs], RESAMPLES, &mut Stream::new(1, 0), statistic)?;
-    Some(interval.map(|end| Some(end).filter(|end| end.is_finite())))
 }
 
 fn reference(by: ReferenceOptimum) -> &'static str {

@@ -233,7 +233,7 @@ const api = {
         runs,
         groups.map(({ end }) => end),
       ),
-      reached: groups.map((group) => reached(group.reached)),
+      reached: groups.map((group) => reached(group.reached, group.spent)),
     }
   },
 

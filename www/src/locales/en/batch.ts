@@ -100,6 +100,10 @@ export const batch = {
     median: 'Median',
     worst: 'Worst',
     reached: 'Near optimum',
+    expected: 'Evaluations expected',
+    expectedHelp:
+      'Evaluations expected: all evaluations until a run came near the optimum, or until its end, for each run that did (the expected running time of Auger and Hansen, 2005), with its bootstrap interval.',
+    endless: '∞',
     optimal: 'Optimal',
     settled: 'Settled',
     settledHelp:
@@ -109,10 +113,11 @@ export const batch = {
     interval: (low: string, high: string) => `${low} to ${high}`,
     friedman: (blocks: string, statistic: string, p: string) =>
       `Mean ranks over ${blocks} seeds that all have run with (1 is best); Friedman’s test: χ² = ${statistic}, p ${p}.`,
+    differFrom: (difference: string) => `Mean ranks differ significantly from ${difference} on (Nemenyi’s test, 5 %).`,
     ranks: (blocks: string) => `Mean ranks over ${blocks} seeds that all have run with; 1 is best.`,
     sure: 'deterministic',
     sureNote: (names: readonly string[]) => `${areDeterministic(names)}: all runs are the same run, and the numbers are no estimates.`,
-    note: 'Beneath the mean and the share of feasible runs: 95 % confidence intervals, by Student’s t and by Wilson’s score. Beneath the median: the quartiles.',
+    note: 'Beneath the mean and the shares of runs that are feasible or near the optimum: 95 % confidence intervals, by Student’s t and by Wilson’s score. Beneath the median: the quartiles.',
   },
   pairs: {
     title: 'Is the difference more than luck?',

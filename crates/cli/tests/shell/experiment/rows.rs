@@ -189,6 +189,13 @@ fn statistics_are_those_of_the_rows() {
     assert_eq!(printed["friedman"], serde_json::to_value(friedman(&blocks)).unwrap());
     assert_eq!((&printed["runs"], &printed["scenes"][0]["groups"][1]["parameters"]["w"]), (&18.into(), &0.4.into()));
 
+    let markdown = fs::read_to_string(&report).unwrap();
+    for name in ["reached", "profile", "ranks"] {
+        let picture = fs::read_to_string(folder.join(format!("report.{name}.svg"))).unwrap();
+        assert!(names.iter().all(|planner| picture.contains(planner)), "{name}");
+        assert!(markdown.contains(&format!("](<report.{name}.svg>)")), "{name}");
+    }
+
     let told = carry_out(&folder, &[]);
     let mean = printed["scenes"][1]["groups"][2]["summary"]["mean"].as_f64().unwrap();
     for part in [

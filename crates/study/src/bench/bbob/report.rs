@@ -7,10 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use forage::{
-    kernel::rng::Stream,
-    statistics::{Attempt, RESAMPLES, Summary, bootstrap, expected_running_time},
-};
+use forage::statistics::{Attempt, RunningTime, Summary, expected_running_time};
 use plotters::chart::SeriesLabelPosition;
 
 use super::{
@@ -56,18 +53,11 @@ fn attempts<'a>(rows: impl Iterator<Item = &'a Row>, level: f64) -> Vec<Attempt>
 
 /// The expected running time to a target, with its 95 % interval and the number of runs that reached it.
 fn expected(runs: Vec<Attempt>) -> Cell {
-    let Some(time) = expected_running_time(&runs) else { return Cell::Empty };
-    let reached = runs.iter().filter(|run| run.hit.is_some()).count();
-    let all = runs.len();
-    let statistic = |groups: &[Vec<Attempt>]| expected_running_time(&groups[0]).unwrap_or(f64::INFINITY);
-    let interval = bootstrap(&[runs], RESAMPLES, &mut Stream::new(1, 0), statistic);
-    let shown = interval.map_or(String::new(), |[low, high]| format!(" ({} to {})", evaluations(low), evaluations(high)));
-    Cell::Text(format!("{}{shown}, {reached} of {all}", evaluations(time)))
-}
-
-/// A number of evaluations; of a sample without a success it has no end.
-fn evaluations(number: f64) -> String {
-    if number.is_finite() { format!("{number:.0}") } else { "∞".to_owned() }
+    let (reached, all) = (runs.iter().filter(|run| run.hit.is_some()).count(), runs.len());
+    let Some(RunningTime { expected, interval }) = RunningTime::of(runs) else { return Cell::Empty };
+    let end = |end: Option<f64>| end.map_or("∞".to_owned(), |end| format!("{end:.0}"));
+    let shown = interval.map_or(String::new(), |[low, high]| format!(" ({} to {})", end(low), end(high)));
+    Cell::Text(format!("{expected:.0}{shown}, {reached} of {all}"))
 }
 
 /// How the planners rank by their gaps in the end, and what they need to come within 0.1.
@@ -180,17 +170,7 @@ fn draw(path: &Path, rows: &[Row]) -> Result<(), Failure> {
     let y = Axis { title: "share of targets", range: 0.0..1.0, log: false };
     let curve = |contender: String| {
         let (reached, all) = times(rows.iter().filter(|row| row.contender() == contender));
-        let mut points = vec![(0.1, 0.0)];
-        for (k, at) in reached.iter().enumerate() {
-            let share = |k: usize| k as f64 / all.max(1) as f64;
-            // Equal times are one step.
-            if reached.get(k + 1) != Some(at) {
-                let before = points.last().map_or(0.0, |point| point.1);
-                points.extend([(*at, before), (*at, share(k + 1))]);
-            }
-        }
-        points.push((most, points.last().map_or(0.0, |point| point.1)));
-        Curve { name: contender, points }
+        Curve::shares(&contender, &reached, all, [0.1, most])
     };
     plot::draw(path, &x, &y, &contenders(rows).into_iter().map(curve).collect::<Vec<_>>(), SeriesLabelPosition::UpperLeft)
 }

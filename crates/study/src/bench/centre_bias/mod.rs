@@ -1,4 +1,4 @@
-//! The suite `centre-bias`: whether a planner is drawn to the middle of the search box, where most test functions have their minimum.
+//! The suite `centre-bias`: whether a planner searches near the centre of the search box, where most test functions have their minimum.
 //!
 //! The same functions are minimised with the minimum in the middle, somewhere else, and in the middle with other axes, with equal
 //! evaluations and the same seeds. A planner that knows nothing of the middle and of the axes comes as near each time (Kudela, Nature

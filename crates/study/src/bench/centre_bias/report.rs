@@ -111,7 +111,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         "{} runs in {} variables, at most {} evaluations for each; a run is over when it is {:e} above the minimum. Each function has its \
          minimum in the middle of the search box (centred), anywhere within four fifths of half a side (shifted), or in the middle with its \
          axes turned (rotated). A gap is how far above the minimum the best is, averaged by its logarithm over the evaluations and, between \
-         runs of the same seed, over instances and functions. Above 1 in the first column, a planner is drawn to the middle, or needs more \
+         runs of the same seed, over instances and functions. Above 1 in the first column, a planner is biased to the centre, or needs more \
          where the minimum is nearer to a border; random search shows how much of the latter there is. Above 1 in the second one, it \
          depends on the axes.\n",
         rows.len(),

@@ -103,17 +103,12 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
 
 /// The share of runs that have a path, over evaluations.
 fn draw(path: &Path, rows: &[Row]) -> Result<(), Failure> {
-    let most = rows.iter().map(|row| row.budget as f64).fold(10.0, f64::max);
+    let most = rows.iter().map(|row| row.first().unwrap_or(0).max(row.budget) as f64).fold(10.0, f64::max);
     let curve = |name: String| {
         let own: Vec<&Row> = rows.iter().filter(|row| row.contender() == name).collect();
         let mut first: Vec<f64> = own.iter().filter_map(|row| row.first()).map(|at| at as f64).collect();
         first.sort_by(f64::total_cmp);
-        let mut points = vec![(1.0, 0.0)];
-        for (k, at) in first.iter().enumerate() {
-            points.extend([(*at, k as f64 / own.len() as f64), (*at, (k + 1) as f64 / own.len() as f64)]);
-        }
-        points.push((most, first.len() as f64 / own.len().max(1) as f64));
-        Curve { name, points }
+        Curve::shares(&name, &first, own.len(), [1.0, most])
     };
     let x = Axis { title: "evaluations", range: 1.0..most, log: true };
     let y = Axis { title: "share of runs with a path", range: 0.0..1.02, log: false };

@@ -54,6 +54,7 @@ export class StatisticsWorker {
         seeds: rows.map(({ record }) => record.seed),
         values: valuesOf(rows),
         reached: rows.map(({ record }) => record.reached),
+        spent: rows.map(({ record }) => record.evaluations),
         settled: rows.flatMap(({ record: { feasible, settled } }) => (feasible ? (settled ?? []) : [])),
         end: rows.reduce((end, { record }) => Math.max(end, record.evaluations), 0),
       })),
