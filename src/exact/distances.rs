@@ -81,7 +81,7 @@ pub struct Distances {
     points: Arc<[[f64; 2]]>,
     metric: Metric,
     fixed: Arc<[[usize; 2]]>,
-    /// How much shorter than nothing a fixed way counts: a whole number.
+    /// How much shorter than nothing a fixed edge counts: a whole number.
     bonus: f64,
 }
 
@@ -124,7 +124,7 @@ impl Distances {
         &self.fixed
     }
 
-    /// All bonuses: what tours with all fixed ways have too little when their ways are [counted](Self::counted).
+    /// All bonuses: what tours with all fixed edges have too little when their ways are [counted](Self::counted).
     pub fn bonuses(&self) -> f64 {
         self.bonus * self.fixed.len() as f64
     }
@@ -140,7 +140,7 @@ impl Distances {
         self.fixed.iter().any(|fixed| *fixed == [i, j] || *fixed == [j, i])
     }
 
-    /// Whether a tour in this order has all fixed ways.
+    /// Whether a tour in this order has all fixed edges.
     pub fn has_fixed(&self, order: &[usize], closed: bool) -> bool {
         if self.fixed.is_empty() {
             return true;

@@ -121,7 +121,7 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
         [None, None] => message!("tour-called-alone", "Number {k} of the shortest tour, after nothing and before nothing.", k),
     };
     let mut told = Inspection::new(item, title, "called", summary);
-    // A fixed way costs nothing.
+    // A fixed edge costs nothing.
     let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u32, other as u32).max(0.0));
     let values = [
         quantity(label!("tour-place", "place", "i", "place in the tour"), (place + 1) as f64),

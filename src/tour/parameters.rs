@@ -56,12 +56,17 @@ pub(super) const ROUND: Param<Option<TourEnds>> = Param::choice(
     "Where a tour begins and ends.",
 );
 
-/// Refuses ends in view of the scene's fixed ways.
+/// Refuses ends in view of the scene's fixed edges.
 #[cold]
-pub(super) fn refuse_round(ends: TourEnds) -> Error {
-    let allowed = message!("scene-fixed-ends", "ends that tours with all fixed ways of the scene can have");
+#[inline(never)]
+pub(super) fn refuse_round(ends: TourEnds, scene: &TourScene) -> Error {
+    let all = [TourEnds::Closed, TourEnds::Open, TourEnds::FromFirst, TourEnds::FirstToLast];
     // The first is none of them.
-    Error::refused(ROUND.name(), ROUNDS[1 + ends as usize].value, allowed)
+    let name = |ends: TourEnds| ROUNDS[1 + ends as usize].value;
+    let possible: Vec<&str> = all.into_iter().filter(|&ends| scene.can_have(ends)).map(name).collect();
+    let allowed =
+        message!("scene-fixed-ends", "{possible}: what tours with the scene’s fixed edges can have", possible = possible.join(", "));
+    Error::refused(ROUND.name(), name(ends), allowed)
 }
 
 /// What the ends of the tours are.

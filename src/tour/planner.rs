@@ -57,7 +57,7 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
     if tours.network.is_none() {
         let given = scene.get::<TourScene>()?;
         if !given.can_have(tours.round) {
-            return Err(parameters::refuse_round(tours.round));
+            return Err(parameters::refuse_round(tours.round, given));
         }
         tours.set_out(Problem::new(given.distances(), tours.round));
         // A run begins with whole tours.

@@ -4,7 +4,7 @@
 //! stop and comes back to it; an open one comes from nowhere, or leads there, at no cost. So a move need not know what
 //! kind of tour it changes.
 //!
-//! A fixed way between two stops has a negative cost, larger in size than any tour is long, so that none without it is better; the
+//! A fixed edge between two stops has a negative cost, larger in size than any tour is long, so that none without it is better; the
 //! length of a tour that has all of them is that of its other ways.
 
 use crate::{
@@ -24,13 +24,13 @@ pub struct Problem {
     /// What the ends are.
     #[state(shared)]
     pub round: TourEnds,
-    /// Row by row, nowhere last; empty where distances are computed. A fixed way counts less by a bonus.
+    /// Row by row, nowhere last; empty where distances are computed. A fixed edge counts less by a bonus.
     #[state(skip)]
     d: Vec<f64>,
     /// What they are computed by.
     #[state(shared)]
     distances: Option<Distances>,
-    /// All bonuses: what a tour with all fixed ways has too little.
+    /// All bonuses: what a tour with all fixed edges has too little.
     #[state(skip)]
     bonuses: f64,
 }

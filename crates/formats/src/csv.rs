@@ -98,7 +98,7 @@ pub(super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Error> {
         (tour.matrix.is_some(), message!("files-distances", "the distances")),
         (tour.matrix.is_none() && tour.metric != Metric::Euclidean, message!("files-metric", "how distances are measured")),
         (!tour.closed, message!("files-open", "that tours are open")),
-        (!tour.fixed.is_empty(), message!("files-fixed", "the fixed ways")),
+        (!tour.fixed.is_empty(), message!("files-fixed", "the fixed edges")),
         (scene.header().exact.is_some(), message!("files-shortest", "the shortest tour")),
     ] {
         if there {

@@ -78,7 +78,7 @@ impl TourScene {
         self.len() == 0
     }
 
-    /// The distances of all stops, with the fixed ways.
+    /// The distances of all stops, with the fixed edges.
     pub fn distances(&self) -> &Arc<Distances> {
         let computed = || {
             self.derived.get_or_init(|| {
@@ -128,8 +128,8 @@ impl TourScene {
         stored.map_or(Ok(()), |stored| self.check_stored(stored))
     }
 
-    /// Fixed ways must be of different stops, and must not meet in a stop with a third one, nor go round. Returns from each end of a
-    /// chain of fixed ways its other end; a stop alone is both, and one that is not at an end has [`INSIDE`].
+    /// Fixed edges must be of different stops, and must not meet in a stop with a third one, nor go round. Returns from each end of a
+    /// chain of fixed edges its other end; a stop alone is both, and one that is not at an end has [`INSIDE`].
     fn check_fixed(&self) -> Result<Vec<usize>, Error> {
         // Of two stops there is one tour anyway, and of more than fit into a matrix none can be fixed.
         let few = if (3..=MAX_MATRIX).contains(&self.len()) { self.len() } else { 0 };
@@ -140,13 +140,13 @@ impl TourScene {
                     (other[a], other[b]) = (INSIDE, INSIDE);
                     (other[x], other[y]) = (y, x);
                 }
-                _ => return Err(Error::refused(format!("fixed[{i}]"), list_of(2), fixed_ways())),
+                _ => return Err(Error::refused(format!("fixed[{i}]"), list_of(2), fixed_edges())),
             }
         }
         Ok(other)
     }
 
-    /// Whether tours with all fixed ways can have such ends: from an end one way leads at most, and fixed ways from one to the other leave
+    /// Whether tours with all fixed edges can have such ends: from an end one way leads at most, and fixed edges from one to the other leave
     /// no other stop out.
     pub fn can_have(&self, ends: TourEnds) -> bool {
         let (other, last) = (self.check_fixed().unwrap_or_default(), self.len() - 1);
@@ -183,7 +183,7 @@ impl TourScene {
             stops.extend(stop);
         }
         if !self.distances().has_fixed(&stops, self.closed) {
-            return Err(Error::refused("exact.order", list_of(stops.len()), fixed_ways()));
+            return Err(Error::refused("exact.order", list_of(stops.len()), fixed_edges()));
         }
         let measured = self.distances().length(&stops, self.closed);
         // Of unrounded distances the last digits may have been added in another order.
@@ -248,15 +248,15 @@ impl TourScene {
     }
 }
 
-/// In [`TourScene::check_fixed`], a stop with two fixed ways.
+/// In [`TourScene::check_fixed`], a stop with two fixed edges.
 const INSIDE: usize = usize::MAX;
 
-/// What is allowed of fixed ways, and of an order in view of them.
+/// What is allowed of fixed edges, and of an order in view of them.
 #[cold]
-pub(super) fn fixed_ways() -> Message {
+pub(super) fn fixed_edges() -> Message {
     message!(
         "scene-fixed",
-        "two different stops, of 3 to {most}, that follow each other in every tour: at most two fixed ways meet in a stop, and they do not go round",
+        "two different stops, of 3 to {most}, that follow each other in every tour: at most two fixed edges meet in a stop, and they do not go round",
         most = MAX_MATRIX
     )
 }
@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn fixed_ways_that_no_tour_can_have_are_refused() {
+    fn fixed_edges_that_no_tour_can_have_are_refused() {
         let read = |stops: usize, fixed: &str| {
             let points: Vec<_> = (0..stops).map(|i| [i % 40, i / 40]).collect();
             standard().read_scene(&format!(

@@ -79,7 +79,7 @@ const tour: TourScene = {
   ],
 }
 
-test('fixed ways follow their stops, and go with them', () => {
+test('fixed edges follow their stops, and go with them', () => {
   const fixed = (by: (stops: Point[]) => Point[]) => withStops(tour, by).fixed
   expect(fixed((stops) => stops.filter((_, at) => at !== 1))).toEqual([[0, 2]])
   expect(fixed((stops) => stops.filter((_, at) => at !== 0))).toEqual([[0, 1]])

@@ -29,7 +29,7 @@ export function withStops<S extends Scene>(scene: S, change: (stops: Point[]) =>
   return { ...scene, points: after, ...(scene.kind === 'tour' && fixedIn(scene, before, after)) }
 }
 
-/** The fixed ways whose stops are still there, by their new numbers. */
+/** The fixed edges whose stops are still there, by their new numbers. */
 function fixedIn({ fixed }: TourScene, before: readonly Point[], after: readonly Point[]): Pick<TourScene, 'fixed'> {
   if (!fixed) return {}
   const place = (stop: number): number => {

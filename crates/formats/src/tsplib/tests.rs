@@ -250,7 +250,7 @@ fn fixed_edges_are_read_and_written() {
     }
     for pairs in ["1 2 1 3 1 4 -1", "1 2 2 3 3 1 -1"] {
         let error = import(standard(), &[file("x.tsp", fixed(pairs))], None).unwrap_err().to_string();
-        assert!(error.contains("at most two fixed ways meet in a stop"), "{error}");
+        assert!(error.contains("at most two fixed edges meet in a stop"), "{error}");
     }
 }
 

@@ -19,7 +19,7 @@ use super::{
 };
 
 /// A run that is to be carried out.
-pub(super) struct Trial<'a> {
+pub(super) struct Minimisation<'a> {
     pub registry: &'a Arc<Registry>,
     pub contender: &'a Contender,
     /// What its scene is called.
@@ -30,21 +30,21 @@ pub(super) struct Trial<'a> {
 }
 
 /// What came of it.
-pub(super) struct Course {
+pub(super) struct Convergence {
     /// How many evaluations there were until it was solved, spent or at its own end.
     pub evaluations: u64,
     /// After how many evaluations the best value fell, and how far above the minimum it was then.
     pub improvements: Vec<(u64, f64)>,
 }
 
-impl Course {
+impl Convergence {
     /// How far above the minimum the best was in the end.
     pub fn gap(&self) -> f64 {
         self.improvements.last().map_or(f64::INFINITY, |(_, gap)| *gap)
     }
 }
 
-impl Trial<'_> {
+impl Minimisation<'_> {
     /// The run's setup on a function.
     pub fn setup(&self, function: FunctionScene) -> Result<Setup, Error> {
         let scene = forage::scene::function::KIND.scene(Header::named(self.name, self.name), function)?;
@@ -53,7 +53,7 @@ impl Trial<'_> {
     }
 
     /// Runs until it is [solved](targets::FINAL), has spent the budget or comes to its own end; `None` if it was stopped.
-    pub fn run(&self, known: FunctionScene, stop: &AtomicBool) -> Result<Option<Course>, Error> {
+    pub fn run(&self, known: FunctionScene, stop: &AtomicBool) -> Result<Option<Convergence>, Error> {
         let minimum = known.minimum().map_or(0.0, |minimum| minimum.value);
         let inner = Arc::clone(known.objective());
         within(self.registry, self.setup(known)?, self.budget, |setup| self.attempt(setup, minimum, Arc::clone(&inner), stop))
@@ -66,7 +66,7 @@ impl Trial<'_> {
         minimum: f64,
         inner: Arc<dyn Objective>,
         stop: &AtomicBool,
-    ) -> Result<Option<(Course, Reached)>, Error> {
+    ) -> Result<Option<(Convergence, Reached)>, Error> {
         let recorder = Arc::new(Recorder::new(inner, self.budget));
         setup.scene = self.setup(FunctionScene::of(Arc::<Recorder>::clone(&recorder), None, None)?)?.scene;
         recorder.clear();
@@ -80,13 +80,13 @@ impl Trial<'_> {
                 return Ok(None);
             }
         }
-        let course = recorder.read(|log| {
+        let convergence = recorder.read(|log| {
             // What was evaluated in the same iteration after it was solved does not count.
             let mut improvements: Vec<_> = log.improvements.iter().map(|(at, value)| (*at, value - minimum)).collect();
             let evaluations = targets::hit(&improvements, targets::FINAL).unwrap_or(log.evaluations);
             improvements.retain(|(at, _)| *at <= evaluations);
-            Course { evaluations, improvements }
+            Convergence { evaluations, improvements }
         });
-        Ok(Some((course, Reached::of(&run))))
+        Ok(Some((convergence, Reached::of(&run))))
     }
 }

@@ -48,7 +48,7 @@ enum Format {
 
 /// A run's curve, as it is kept.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Course {
+struct KeptCurve {
     run: String,
     /// The run's hash: that of its row.
     hash: String,
@@ -56,13 +56,13 @@ struct Course {
     points: String,
 }
 
-impl Row for Course {
+impl Row for KeptCurve {
     fn key(&self) -> String {
         self.run.clone()
     }
 }
 
-impl Course {
+impl KeptCurve {
     fn points(&self) -> impl Iterator<Item = (u64, u64, f64)> {
         self.points.split(' ').filter_map(|point| {
             let mut parts = point.split(':');
@@ -78,8 +78,8 @@ pub struct Curves {
     part: Part,
     /// What is kept is thrown away when the first run begins.
     fresh: bool,
-    rows: Rows<Course>,
-    known: BTreeMap<String, Course>,
+    rows: Rows<KeptCurve>,
+    known: BTreeMap<String, KeptCurve>,
 }
 
 impl Curves {
@@ -97,16 +97,16 @@ impl Curves {
                 return Err(Error::refused("--curves", path.display().to_string(), allowed).into());
             }
         };
-        let mut rows = Rows::<Course>::open(&kept_at(path, part), false)?;
-        let mut known: BTreeMap<String, Course> = BTreeMap::new();
+        let mut rows = Rows::<KeptCurve>::open(&kept_at(path, part), false)?;
+        let mut known: BTreeMap<String, KeptCurve> = BTreeMap::new();
         if part == Part::WHOLE && !fresh {
             for part in parts(path)? {
-                known.extend(Rows::<Course>::open(&part, false)?.take().into_iter().map(|course| (course.key(), course)));
+                known.extend(Rows::<KeptCurve>::open(&part, false)?.take().into_iter().map(|curve| (curve.key(), curve)));
             }
         }
         let own = rows.take();
         if !fresh {
-            known.extend(own.into_iter().map(|course| (course.key(), course)));
+            known.extend(own.into_iter().map(|curve| (curve.key(), curve)));
         }
         Ok(Self { path: path.to_owned(), format, part, fresh, rows, known })
     }
@@ -137,9 +137,9 @@ impl Curves {
     pub(super) fn append(&mut self, sweep: &Sweep, job: usize, hash: &str, curve: &[Improvement]) -> Result<(), Failure> {
         let point = |point: &Improvement| format!("{}:{}:{}", point.iteration, point.evaluations, number_text(point.value));
         let points = curve.iter().map(point).collect::<Vec<_>>().join(" ");
-        let course = Course { run: name(sweep, job), hash: hash.to_owned(), points };
-        self.rows.append(&course)?;
-        self.known.insert(course.key(), course);
+        let curve = KeptCurve { run: name(sweep, job), hash: hash.to_owned(), points };
+        self.rows.append(&curve)?;
+        self.known.insert(curve.key(), curve);
         Ok(())
     }
 
@@ -212,13 +212,13 @@ fn lead(sweep: &Sweep, job: usize) -> Vec<String> {
     [setup.scene.name().to_owned(), setup.planner.clone(), setup.seed.to_string()].into_iter().chain(parameters).collect()
 }
 
-fn write_csv<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a Course)>) -> Result<(), Failure> {
+fn write_csv<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a KeptCurve)>) -> Result<(), Failure> {
     let mut writer = csv::Writer::from_path(new).map_err(|problem| at(new)(io::Error::other(problem.to_string())))?;
     let failed = |problem: csv::Error| at(new)(io::Error::other(problem.to_string()));
     writer.write_record(columns(sweep)).map_err(failed)?;
-    for (job, course) in runs {
+    for (job, curve) in runs {
         let lead = lead(sweep, job);
-        for (iteration, evaluations, value) in course.points() {
+        for (iteration, evaluations, value) in curve.points() {
             let point = [iteration.to_string(), evaluations.to_string(), number_text(value)];
             writer.write_record(lead.iter().chain(&point)).map_err(failed)?;
         }
@@ -290,7 +290,7 @@ fn write_column<T: DataType>(group: &mut SerializedRowGroupWriter<'_, File>, val
     column.close()
 }
 
-fn write_parquet<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a Course)>) -> Result<(), ParquetError> {
+fn write_parquet<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a KeptCurve)>) -> Result<(), ParquetError> {
     let whole = || Column::Whole(Vec::new());
     let texts = || Column::Text(Vec::new());
     let parameters = sweep.parameters.iter().map(|name| Column::of_parameter(sweep, name));
@@ -306,10 +306,10 @@ fn write_parquet<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usiz
     let properties = Arc::new(WriterProperties::builder().set_created_by("forage".to_owned()).build());
     let mut writer = SerializedFileWriter::new(File::create(new)?, schema, properties)?;
     let mut count = 0;
-    for (job, course) in runs {
+    for (job, curve) in runs {
         let setup = sweep.setup(job);
         let last = table.len() - POINT.len();
-        for (iteration, evaluations, value) in course.points() {
+        for (iteration, evaluations, value) in curve.points() {
             for (at, column) in table.iter_mut().enumerate() {
                 match (at, column) {
                     (0, column) => column.push(Some(&Value::Text(setup.scene.name().to_owned()))),

@@ -67,7 +67,7 @@ fn every_form_is_toured_and_measured_against_what_is_known() {
     assert_eq!(rows.len(), 2 * (2 * 9 + 5));
     for row in &rows {
         let [budget, evaluations] = [5, 9].map(|column| row[column].parse::<u64>().unwrap());
-        // Short annealing need not come to a tour with the fixed way.
+        // Short annealing need not come to a tour with the fixed edge.
         let length: f64 = row[7].parse().unwrap_or_else(|_| if &row[2] == "fixed" { f64::INFINITY } else { f64::NAN });
         assert!(!length.is_nan(), "{row:?}");
         match &row[2] {

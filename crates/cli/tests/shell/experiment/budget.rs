@@ -162,13 +162,26 @@ fn curves_of_parts_are_taken_together_and_what_is_kept_is_not_run_again() {
     carry_out(&folder, &args);
     carry_out(&folder, &["--out", folder.join("other.csv").to_str().unwrap(), "--curves", whole.to_str().unwrap()]);
     assert!(fs::read(&csv).unwrap() == fs::read(&whole).unwrap());
-    // A run whose curve is not kept is carried out again; the rest is not.
     let kept = folder.join("whole.csv.runs.csv");
-    let lines = fs::read_to_string(&kept).unwrap();
-    fs::write(&kept, lines.split_inclusive('\n').take(7).collect::<String>()).unwrap();
-    carry_out(&folder, &["--out", folder.join("other.csv").to_str().unwrap(), "--curves", whole.to_str().unwrap()]);
-    assert!(fs::read(&csv).unwrap() == fs::read(&whole).unwrap());
-    assert_eq!(fs::read_to_string(&kept).unwrap().lines().count(), lines.lines().count());
+    let text = fs::read_to_string(&kept).unwrap();
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let hash = lines[2].split(',').find(|cell| cell.len() == 16 && cell.chars().all(|c| c.is_ascii_hexdigit())).unwrap();
+    let again = |kept_now: String| {
+        fs::write(&kept, kept_now).unwrap();
+        carry_out(&folder, &["--out", folder.join("other.csv").to_str().unwrap(), "--curves", whole.to_str().unwrap()]);
+        assert!(fs::read_to_string(&kept).unwrap().lines().count() >= lines.len());
+        fs::read_to_string(&whole).unwrap()
+    };
+    // A run whose curve is not kept is carried out again, whether it is missing, cut off, or of a run with another result.
+    let all = fs::read_to_string(&csv).unwrap();
+    for kept_now in [lines[..7].concat(), text[..text.len() - 9].to_owned(), text.replace(hash, "0123456789abcdef")] {
+        assert!(again(kept_now) == all);
+    }
+    // The rest is not: what is kept of it is taken as it is.
+    let (at, end) = (text.find(lines[2]).unwrap(), lines[2].trim_end());
+    let invented = format!("{},1:2:4242\n", end.rsplit_once(',').unwrap().0);
+    let found = again(format!("{}{invented}{}", &text[..at], &text[at + lines[2].len()..]));
+    assert!(found != all && found.contains(",4242\n"));
     let message = refused(&folder, &["--curves", "curves.xls"]);
     assert!(message.contains("`--curves` is curves.xls; it must be a file that ends in .csv or .parquet"), "{message}");
 }

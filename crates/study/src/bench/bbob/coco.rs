@@ -40,32 +40,32 @@ fn line(out: &mut String, evaluations: u64, gap: f64, minimum: f64) {
 }
 
 /// Where the best falls below the next fifth of a decade, and the end.
-fn by_values(course: &[(u64, f64)], end: u64, minimum: f64, out: &mut String) {
+fn by_values(improvements: &[(u64, f64)], end: u64, minimum: f64, out: &mut String) {
     let level = |gap: f64| (STEPS * math::log10(gap.max(targets::FINAL))).ceil();
     let mut next = f64::INFINITY;
     let mut written = 0;
-    for &(at, gap) in course {
+    for &(at, gap) in improvements {
         if level(gap) < next {
             next = level(gap);
             written = at;
             line(out, at, gap, minimum);
         }
     }
-    if let Some(&(_, gap)) = course.last().filter(|_| written < end) {
+    if let Some(&(_, gap)) = improvements.last().filter(|_| written < end) {
         line(out, end, gap, minimum);
     }
 }
 
 /// At numbers of evaluations that are spread evenly, by the logarithm.
-fn by_evaluations(course: &[(u64, f64)], dimension: usize, end: u64, minimum: f64, out: &mut String) {
+fn by_evaluations(improvements: &[(u64, f64)], dimension: usize, end: u64, minimum: f64, out: &mut String) {
     let twentieths = (0..=240).map(|k| math::pow(10.0, f64::from(k) / 20.0).floor() as u64);
     let rounds = (0..12).flat_map(|k| [1, 2, 5].map(|factor| factor * dimension as u64 * 10_u64.pow(k)));
     let mut all: Vec<u64> = twentieths.chain(rounds).filter(|at| *at < end).chain([end]).collect();
     all.sort_unstable();
     all.dedup();
     for at in all {
-        let before = course.partition_point(|(found, _)| *found <= at);
-        if let Some(&(_, gap)) = before.checked_sub(1).and_then(|last| course.get(last)) {
+        let before = improvements.partition_point(|(found, _)| *found <= at);
+        if let Some(&(_, gap)) = before.checked_sub(1).and_then(|last| improvements.get(last)) {
             line(out, at, gap, minimum);
         }
     }
@@ -97,14 +97,14 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
             version = env!("CARGO_PKG_VERSION"),
         );
         for row in rows {
-            let course = row.course();
+            let improvements = row.improvements();
             let minimum = FunctionScene::bbob(function, row.instance, dimension)?.minimum().map_or(0.0, |minimum| minimum.value);
             for (out, what) in [(&mut values, true), (&mut evaluations, false)] {
                 let _ = writeln!(out, "{}", head(minimum));
                 if what {
-                    by_values(&course, row.evaluations, minimum, out);
+                    by_values(&improvements, row.evaluations, minimum, out);
                 } else {
-                    by_evaluations(&course, dimension, row.evaluations, minimum, out);
+                    by_evaluations(&improvements, dimension, row.evaluations, minimum, out);
                 }
             }
             let _ = write!(info, ", {}:{}|{}", row.instance, row.evaluations, number(row.gap, 1).trim_start_matches('+'));

@@ -30,13 +30,13 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
             let mut text = String::new();
             let mut runs = Vec::new();
             for row in rows {
-                let course = row.course();
+                let improvements = row.improvements();
                 text.push_str("evaluations raw_y\n");
-                for (at, gap) in &course {
+                for (at, gap) in &improvements {
                     // Writing to a text cannot fail.
                     let _ = writeln!(text, "{at} {gap:.10}");
                 }
-                let (best, gap) = course.last().copied().unwrap_or((0, row.gap));
+                let (best, gap) = improvements.last().copied().unwrap_or((0, row.gap));
                 if best < row.evaluations {
                     let _ = writeln!(text, "{} {gap:.10}", row.evaluations);
                 }

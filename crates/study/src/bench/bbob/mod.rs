@@ -13,7 +13,7 @@ use std::{
 use self::row::key;
 use super::{
     super::{failure::Failure, runner::Job, table::Table},
-    minimise::Trial,
+    minimise::Minimisation,
     suite::{Attempt, Contender, Suite, check_count, empty},
 };
 use forage::{
@@ -69,7 +69,7 @@ impl Suite for Plan {
         check_count(sizes.into_iter().fold(contenders.len(), usize::saturating_mul))?;
         // One function says it for all.
         for job in (Self { functions: vec![1], instances: vec![1], ..self.clone() }).jobs(registry, contenders) {
-            let setup = job.trial(&job.name()).setup(FunctionScene::bbob(job.function, job.instance, job.dimension)?)?;
+            let setup = job.minimisation(&job.name()).setup(FunctionScene::bbob(job.function, job.instance, job.dimension)?)?;
             setup.check(registry).map_err(|error| error.within(&job.contender.planner))?;
         }
         Ok(self.jobs(registry, contenders))
@@ -116,8 +116,8 @@ impl Task {
         format!("bbob-{}-{}-{}", self.function, self.dimension, self.instance)
     }
 
-    fn trial<'a>(&'a self, name: &'a str) -> Trial<'a> {
-        Trial { registry: &self.registry, contender: &self.contender, name, seed: self.instance as u64, budget: self.budget }
+    fn minimisation<'a>(&'a self, name: &'a str) -> Minimisation<'a> {
+        Minimisation { registry: &self.registry, contender: &self.contender, name, seed: self.instance as u64, budget: self.budget }
     }
 }
 
@@ -134,17 +134,17 @@ impl Job for Task {
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
         let known = FunctionScene::bbob(self.function, self.instance, self.dimension)?;
-        let course = self.trial(&self.name()).run(known, stop)?;
-        Ok(course.map(|course| Row {
+        let convergence = self.minimisation(&self.name()).run(known, stop)?;
+        Ok(convergence.map(|convergence| Row {
             planner: self.contender.planner.clone(),
             params: self.contender.set(),
             function: self.function,
             dimension: self.dimension,
             instance: self.instance,
             budget: self.budget,
-            evaluations: course.evaluations,
-            gap: course.gap(),
-            improvements: course.improvements.iter().map(|(at, gap)| format!("{at}:{gap:?}")).collect::<Vec<_>>().join(" "),
+            evaluations: convergence.evaluations,
+            gap: convergence.gap(),
+            improvements: convergence.improvements.iter().map(|(at, gap)| format!("{at}:{gap:?}")).collect::<Vec<_>>().join(" "),
         }))
     }
 }

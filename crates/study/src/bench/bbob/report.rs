@@ -36,8 +36,8 @@ fn sorted(of: impl Iterator<Item = usize>) -> Vec<usize> {
 fn times<'a>(rows: impl Iterator<Item = &'a Row>) -> (Vec<f64>, usize) {
     let (mut reached, mut all) = (Vec::new(), 0);
     for row in rows {
-        let course = row.course();
-        let hits = (0..targets::ALL).filter_map(|k| targets::hit(&course, targets::target(k)));
+        let improvements = row.improvements();
+        let hits = (0..targets::ALL).filter_map(|k| targets::hit(&improvements, targets::target(k)));
         reached.extend(hits.map(|at| at as f64 / row.dimension as f64));
         all += targets::ALL;
     }
@@ -47,7 +47,7 @@ fn times<'a>(rows: impl Iterator<Item = &'a Row>) -> (Vec<f64>, usize) {
 
 /// How runs went towards a target.
 fn attempts<'a>(rows: impl Iterator<Item = &'a Row>, level: f64) -> Vec<Attempt> {
-    let attempt = |row: &Row| Attempt { hit: targets::hit(&row.course(), level).map(|at| at as f64), spent: row.evaluations as f64 };
+    let attempt = |row: &Row| Attempt { hit: targets::hit(&row.improvements(), level).map(|at| at as f64), spent: row.evaluations as f64 };
     rows.map(attempt).collect()
 }
 

@@ -58,7 +58,7 @@ pub struct Row {
 
 impl Row {
     /// The improvements as numbers.
-    pub(super) fn course(&self) -> Vec<(u64, f64)> {
+    pub(super) fn improvements(&self) -> Vec<(u64, f64)> {
         let pair = |pair: &str| pair.split_once(':').and_then(|(at, gap)| Some((at.parse().ok()?, gap.parse().ok()?)));
         self.improvements.split(' ').filter_map(pair).collect()
     }

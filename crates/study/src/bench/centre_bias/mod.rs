@@ -22,7 +22,7 @@ use forage::{
 use self::row::key;
 use super::{
     super::{failure::Failure, runner::Job, table::Table},
-    minimise::{Course, Trial},
+    minimise::{Convergence, Minimisation},
     suite::{Attempt, Contender, Suite, check_count},
     targets,
 };
@@ -100,7 +100,7 @@ impl Suite for Plan {
         // One run says it for all of a planner.
         for task in tasks.iter().step_by(of_each.max(1)) {
             let known = task.form.of(task.function, task.dimension, task.instance)?;
-            let setup = task.trial(&task.name()).setup(known)?;
+            let setup = task.minimisation(&task.name()).setup(known)?;
             setup.check(registry).map_err(|error| error.within(&task.contender.planner))?;
         }
         Ok(tasks)
@@ -120,14 +120,14 @@ impl Task {
         format!("{}-{}-{}-{}", self.function.name(), self.form, self.dimension, self.instance)
     }
 
-    fn trial<'a>(&'a self, name: &'a str) -> Trial<'a> {
-        Trial { registry: &self.registry, contender: &self.contender, name, seed: self.instance, budget: self.budget }
+    fn minimisation<'a>(&'a self, name: &'a str) -> Minimisation<'a> {
+        Minimisation { registry: &self.registry, contender: &self.contender, name, seed: self.instance, budget: self.budget }
     }
 }
 
 /// The common logarithm of how far above the minimum the best was, averaged over the budget's evaluations.
-fn level(course: &Course, budget: u64) -> f64 {
-    let mut improvements = course.improvements.iter().peekable();
+fn level(convergence: &Convergence, budget: u64) -> f64 {
+    let mut improvements = convergence.improvements.iter().peekable();
     let mut gap = f64::INFINITY;
     let mut sum = 0.0;
     let mut looks = 0;
@@ -157,8 +157,8 @@ impl Job for Task {
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
         let known = self.form.of(self.function, self.dimension, self.instance)?;
-        let course = self.trial(&self.name()).run(known, stop)?;
-        Ok(course.map(|course| Row {
+        let convergence = self.minimisation(&self.name()).run(known, stop)?;
+        Ok(convergence.map(|convergence| Row {
             planner: self.contender.planner.clone(),
             params: self.contender.set(),
             function: self.function.name().to_owned(),
@@ -166,9 +166,9 @@ impl Job for Task {
             form: self.form,
             instance: self.instance,
             budget: self.budget,
-            evaluations: course.evaluations,
-            gap: course.gap(),
-            level: level(&course, self.budget),
+            evaluations: convergence.evaluations,
+            gap: convergence.gap(),
+            level: level(&convergence, self.budget),
         }))
     }
 }
@@ -186,8 +186,8 @@ mod tests {
     #[test]
     fn the_level_is_the_mean_of_logarithms() {
         // 100 until half of the evaluations, then solved.
-        let course = Course { evaluations: 500, improvements: vec![(1, 100.0), (501, 1e-12)] };
+        let convergence = Convergence { evaluations: 500, improvements: vec![(1, 100.0), (501, 1e-12)] };
         // At 1 % to 50 % the logarithm is 2, at 51 % to 100 % it is −8.
-        assert!((level(&course, 1000) - (50.0 * 2.0 - 50.0 * 8.0) / 100.0).abs() < 1e-12);
+        assert!((level(&convergence, 1000) - (50.0 * 2.0 - 50.0 * 8.0) / 100.0).abs() < 1e-12);
     }
 }
