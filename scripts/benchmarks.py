@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the suites of `forage bench` and plain peers beside them, and writes docs/benchmarks.json, of which docs/benchmarks.md is generated.
+"""Runs the suites of `forage bench` and other programs for comparison, and writes docs/benchmarks.json, from which docs/benchmarks.md is
+generated.
 
     scripts/setup bench && target/bench/bin/python -m pip install cma==4.5.0 ortools==9.15.6755
     cargo build --release --package forage-lab-cli
@@ -100,7 +101,7 @@ def optimum(problem):
 
 
 def or_tools(folder, rows):
-    """The mean gap of OR-Tools over the instances with rounded straight distances, and those of ours over the same ones."""
+    """The mean gap of OR-Tools over the instances with rounded straight distances, and those of Forage over the same ones."""
     from ortools.constraint_solver import pywrapcp, routing_enums_pb2
 
     optima = {row["instance"]: float(row["optimum"]) for row in rows if row["optimum"]}
@@ -164,7 +165,8 @@ def tsplib(out, given):
         if row["instance"] in gaps and row["length"]:
             means.setdefault(row["planner"], []).append(float(row["length"]) / float(row["optimum"]) - 1)
     mean = lambda values: 100 * sum(values) / len(values)
-    same = {"instances": len(gaps), "gaps": {planner: mean(values) for planner, values in means.items()}}
+    budget = int(rows[0]["budget"]) / int(rows[0]["stops"])
+    same = {"instances": len(gaps), "budget": budget, "gaps": {planner: mean(values) for planner, values in means.items()}}
     return {**results, "same": {**same, "OR-Tools": mean(list(gaps.values()))}}
 
 

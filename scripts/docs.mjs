@@ -110,12 +110,13 @@ function parameters(list, planner) {
   return table(['parameter', 'default', 'allowed', 'meaning'], rows)
 }
 
-/** How much larger a planner's gap is where the minimum is not in the middle; nothing for planners that were not measured. */
+/** The centre bias of a planner; nothing for planners that were not measured. */
 function centreBias({ centre_bias: bias }) {
   if (!bias) return ''
   const shown = ({ value, from, to }) => `${value.toFixed(2)} (${from.toFixed(2)} to ${to.toFixed(2)})`
-  const shifted = `the gap is ${shown(bias.shifted)} times as large where the minimum is not in the middle of the search box`
-  return `[Centre bias](benchmarks.md#centre-bias): ${shifted}, ${shown(bias.rotated)} times where the axes are turned; that of random search: ${bias.random_search.value.toFixed(2)} times.\n\n`
+  const shifted = `shifting the minimum away from the centre of the search box multiplies the gap by ${shown(bias.shifted)}`
+  const random = bias.random_search.value.toFixed(2)
+  return `[Centre bias](benchmarks.md#centre-bias): ${shifted} (random search: ${random}), rotating the axes by ${shown(bias.rotated)}.\n\n`
 }
 
 function reference() {

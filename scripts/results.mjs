@@ -29,11 +29,11 @@ function bbob({ peers, ...own }) {
   const below = ours.filter((row) => Number(row.all) <= Number(random.all))
   const first = ours[0]
   return [
-    `Of ours ${code(first.planner)} reaches most targets, ${percent(first.all)}; CMA-ES reaches ${percent(cma.all)} and random search ${percent(random.all)}.`,
+    `Of Forage’s planners ${code(first.planner)} reaches most targets, ${percent(first.all)}; random search reaches ${percent(random.all)}, and CMA-ES ${percent(cma.all)} (package cma, which restarts it with a doubled population; Forage’s planners are not restarted).`,
     above.length
       ? `More than CMA-ES: ${list(above.map((row) => code(row.planner)))}.`
-      : 'None of ours reaches as many as CMA-ES, which is the better choice to minimise a function.',
-    below.length ? `Not above random search: ${list(below.map((row) => code(row.planner)))}.` : 'All of ours are above random search.',
+      : 'None of them reaches as many as CMA-ES, which is the better choice to minimise a function.',
+    below.length ? `Not above random search: ${list(below.map((row) => code(row.planner)))}.` : 'All of them are above random search.',
   ].join(' ')
 }
 
@@ -46,8 +46,8 @@ function centreBias(own) {
   const ratio = (row) => `${code(row.planner)} (${number(row['shifted : centred'])})`
   return [
     `Random search has ${number(random['shifted : centred'])} (${number(random['shifted from'])} to ${number(random['shifted to'])}), since a minimum near a border is farther from most positions.`,
-    `Above that with certainty: ${list(drawn.map(ratio))}.`,
-    `Worse where the axes are turned, with certainty: ${list(turned.map((row) => `${code(row.planner)} (${number(row['rotated : centred'])})`))}.`,
+    `Significantly above that (95 % intervals do not overlap): ${list(drawn.map(ratio))}.`,
+    `Significantly worse on rotated functions (95 % interval above 1): ${list(turned.map((row) => `${code(row.planner)} (${number(row['rotated : centred'])})`))}.`,
   ].join(' ')
 }
 
@@ -61,18 +61,21 @@ function movingai(own) {
     `${list(exact.map((row) => code(row[planner])))} have the file’s optimum in all ${number(exact[0]?.[problems] ?? '0')} problems, as graph searches must.`,
     ...others.map(
       (row) =>
-        `${code(row[planner])} keeps to another rule, or is not exact: its mean gap to the shortest way from cell to cell is ${number(row[gap])} %.`,
+        `${code(row[planner])} is not bound to grid paths, or is not exact: its mean gap to the shortest grid path is ${number(row[gap])} %.`,
     ),
   ].join(' ')
 }
 
-function tsplib({ same }) {
+function tsplib({ same, ...own }) {
+  const spent = (planner) => rowsOf(own).find((row) => row.planner === planner)?.['mean evaluations per stop'] ?? ''
   const ours = Object.entries(same.gaps).sort((a, b) => a[1] - b[1])
   const better = ours.filter(([, gap]) => gap < same['OR-Tools'])
   return [
-    `On the ${same.instances} instances with rounded straight distances OR-Tools’ local search has a mean gap of ${number(same['OR-Tools'])} %; ours: ${list(ours.map(([name, gap]) => `${code(name)} ${number(gap)} %`))}.`,
-    better.length ? `Below OR-Tools with this budget: ${list(better.map(([name]) => code(name)))}.` : 'None of ours is below it.',
-    'Its budget is a local optimum, ours evaluations: the times are not compared.',
+    `On the ${same.instances} instances with rounded straight distances OR-Tools’ local search has a mean gap of ${number(same['OR-Tools'])} %, Forage’s planners have: ${list(ours.map(([name, gap]) => `${code(name)} ${number(gap)} %`))}.`,
+    better.length
+      ? `Below OR-Tools: ${list(better.map(([name]) => `${code(name)} with ${number(spent(name))} evaluations per stop`))}; the budget is ${number(same.budget)}, which first tours may exceed.`
+      : 'None of them is below it.',
+    'OR-Tools stops at a local optimum, Forage at its budget of evaluations: the times are not compared.',
   ].join(' ')
 }
 
@@ -89,19 +92,23 @@ function trees({ peers }) {
       evaluations: [...total.evaluations, Number(evaluations)],
     })
   }
-  const middle = (numbers) => [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)]
-  const told = [...totals.values()].map(
+  const median = (numbers) => {
+    const sorted = [...numbers].sort((a, b) => a - b)
+    const at = (sorted.length - 1) / 2
+    return (sorted[Math.floor(at)] + sorted[Math.ceil(at)]) / 2
+  }
+  const parts = [...totals.values()].map(
     ({ planner, count, all, evaluations }) =>
-      `${planner.startsWith('OMPL') ? planner : code(planner)} ${count} of ${all} (${number(middle(evaluations))})`,
+      `${planner.startsWith('OMPL') ? planner : code(planner)} ${count} of ${all} (${number(median(evaluations))})`,
   )
   const scenes = new Set(rows.map(({ scene }) => scene)).size
-  return `On the ${scenes} scenes with discs and grids, runs solved and the median of a scene’s median evaluations: ${list(told)}. RRT\\* and ${code('rrt-star')} go on until the budget is spent, the others stop at their first way.`
+  return `On the ${scenes} scenes with discs and grids, runs solved and, in parentheses, the median over scenes of the median evaluations of a whole run: ${list(parts)}. RRT\\* and ${code('rrt-star')} go on until the budget is spent, the others stop at their first path.`
 }
 
 function barn(own) {
   const rows = rowsOf(own)
   const sets = [...new Set(rows.map(({ set }) => set))]
-  const told = sets.map((set) => {
+  const parts = sets.map((set) => {
     const of = best(
       rows.filter((row) => row.set === set && !isPeer(row)),
       'success %',
@@ -110,9 +117,9 @@ function barn(own) {
   })
   const dwa = rows.find(isPeer)
   const published = dwa
-    ? ` The repository’s DWA has ${number(dwa['success %'])} % and ${number(dwa.score)} in Gazebo, where a robot slides, bumps and sees with a laser: that our disc does better says nothing of a Jackal.`
+    ? ` The repository’s DWA has ${number(dwa['success %'])} % and ${number(dwa.score)} in Gazebo, where a robot slides, bumps and sees with a laser: that a disc does better here says nothing about a Jackal.`
     : ''
-  return `${told.join('; ')}. A score of 0.5 is the most that the rule gives.${published}`
+  return `${parts.join('; ')}. A score of 0.5 is the most that the rule gives.${published}`
 }
 
 const SAYS = { bbob, 'centre-bias': centreBias, movingai, tsplib, trees, barn }
@@ -123,7 +130,7 @@ export function machine({ machine: { cpu, cores, memory_gib, system, forage, pyt
   return `The results below were measured on ${cpu}, ${cores} cores, ${memory_gib} GiB, ${system}, with Forage ${forage}; peers with Python ${python}, ${list(named)}. \`scripts/benchmarks.py\` measures them; no number is typed by hand. Evaluations, lengths, gaps and scores are the same on every machine; times are not.`
 }
 
-/** What a suite came to: its command, its table, and what that shows. */
+/** A suite’s results: its command, its table, and what that shows. */
 export function results(all, suite, table) {
   const own = all[suite]
   if (!own || !SAYS[suite]) throw new Error(`docs/benchmarks.json has no results of ${suite}`)

@@ -1,4 +1,4 @@
-//! How much planners owe to the middle of the search box: measured by `forage bench centre-bias`, which writes this file.
+//! The planners' centre bias: `centre_bias.csv` is the file `centre-bias.csv` that `forage bench centre-bias` writes.
 
 use serde::Serialize;
 
@@ -28,11 +28,11 @@ pub struct Ratio {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct CentreBias {
-    /// Where the minimum is not in the middle of the search box.
+    /// On functions whose minimum is shifted away from the centre of the search box.
     pub shifted: Ratio,
-    /// Where the function's axes are turned.
+    /// On functions whose axes are rotated.
     pub rotated: Ratio,
-    /// What random search, which knows nothing of the middle, has where the minimum is not there.
+    /// That of random search on the shifted functions, for comparison.
     pub random_search: Ratio,
 }
 

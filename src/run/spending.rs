@@ -1,4 +1,4 @@
-//! What a run spends, as far as its first step tells: by that, planners are given equal evaluations.
+//! The evaluations of a run, estimated from its first step: equal budgets are set by it.
 
 use std::sync::Arc;
 
@@ -60,13 +60,13 @@ impl Spending {
         }
     }
 
-    /// How many evaluations all its steps take.
+    /// The evaluations of all steps, by the estimate.
     pub fn all(&self) -> u64 {
         self.start.saturating_add(self.step.saturating_mul(self.limit.saturating_sub(self.idle)))
     }
 
-    /// How many iterations spend so many evaluations, one that was begun being finished: schedules over the iterations, as of an inertia
-    /// weight, come to their end there.
+    /// The number of iterations that spends this many evaluations; the last one is finished. Schedules over the iterations, such as an
+    /// inertia weight's, then end with the budget.
     pub fn iterations(&self, evaluations: u64) -> u64 {
         (self.idle + evaluations.saturating_sub(self.start).div_ceil(self.step.max(1))).clamp(1, self.most)
     }

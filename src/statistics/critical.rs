@@ -22,8 +22,8 @@ fn range_cdf(q: f64, k: usize) -> f64 {
     (0..=STEPS).map(|i| weight(i) * at(i)).sum::<f64>() * width / 3.0
 }
 
-/// How far apart the mean ranks of two of `treatments` over so many blocks must be to differ at the 5 % level, by Nemenyi's test: as
-/// Friedman's ranks say it. `None` for fewer than two treatments, or without blocks.
+/// The critical difference: how far apart two mean ranks over `blocks` must be to differ at the 5 % level, by Nemenyi's test after
+/// [`friedman`](super::friedman). `None` for fewer than two treatments, or without blocks.
 ///
 /// ```
 /// use forage::statistics::critical_difference;
@@ -44,14 +44,14 @@ pub fn critical_difference(treatments: usize, blocks: usize) -> Option<f64> {
     Some(high / 2_f64.sqrt() * (k * (k + 1.0) / (6.0 * blocks as f64)).sqrt())
 }
 
-/// The largest groups of treatments whose mean ranks are all within `difference` of each other, two at least in each, from the best: what a
-/// critical-difference diagram joins by a bar.
+/// The maximal groups of treatments whose mean ranks differ by at most `difference`, two or more in each, from the best: the bars of a
+/// critical-difference diagram.
 ///
 /// ```
-/// use forage::statistics::alike;
-/// assert_eq!(alike(&[1.2, 3.0, 1.9, 4.9], 1.5), [vec![0, 2], vec![2, 1]]);
+/// use forage::statistics::homogeneous_groups;
+/// assert_eq!(homogeneous_groups(&[1.2, 3.0, 1.9, 4.9], 1.5), [vec![0, 2], vec![2, 1]]);
 /// ```
-pub fn alike(ranks: &[f64], difference: f64) -> Vec<Vec<usize>> {
+pub fn homogeneous_groups(ranks: &[f64], difference: f64) -> Vec<Vec<usize>> {
     let order: Vec<usize> = crate::math::ordered(ranks.iter().copied()).into_iter().map(|(_, k)| k).collect();
     let mut groups: Vec<Vec<usize>> = Vec::new();
     let mut reached = 0;
@@ -91,10 +91,10 @@ mod tests {
 
     #[test]
     fn bars_join_what_does_not_differ() {
-        assert_eq!(alike(&[1.0, 2.0, 3.0], 0.5), Vec::<Vec<usize>>::new());
-        assert_eq!(alike(&[1.0, 2.0, 3.0], 2.0), [vec![0, 1, 2]]);
+        assert_eq!(homogeneous_groups(&[1.0, 2.0, 3.0], 0.5), Vec::<Vec<usize>>::new());
+        assert_eq!(homogeneous_groups(&[1.0, 2.0, 3.0], 2.0), [vec![0, 1, 2]]);
         // Within the first bar there is no smaller one.
-        assert_eq!(alike(&[3.5, 1.0, 2.0, 2.1], 1.2), [vec![1, 2, 3]]);
-        assert_eq!(alike(&[], 1.0), Vec::<Vec<usize>>::new());
+        assert_eq!(homogeneous_groups(&[3.5, 1.0, 2.0, 2.1], 1.2), [vec![1, 2, 3]]);
+        assert_eq!(homogeneous_groups(&[], 1.0), Vec::<Vec<usize>>::new());
     }
 }

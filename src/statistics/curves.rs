@@ -47,7 +47,7 @@ pub struct Band {
     pub upper: Vec<Option<f64>>,
 }
 
-/// Which share of a group's runs had come near enough to the optimum after so many evaluations: the share jumps there.
+/// The empirical distribution of running times (ECDF): which share of a group's runs had reached the target after so many evaluations.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Reached {

@@ -13,7 +13,7 @@ mod tests_between;
 
 pub use bootstrap::{RESAMPLES, bootstrap};
 pub use compare::{Comparison, Group, GroupSummary, LAST, Pair, Ranks, comparable, compare};
-pub use critical::{alike, critical_difference};
+pub use critical::{critical_difference, homogeneous_groups};
 pub use curves::{Band, Bands, Curve, Reached, bands, reached};
 pub use running_time::{Attempt, RunningTime, expected_running_time, performance_ratios};
 pub use summary::{Moments, Summary, proportion};

@@ -28,14 +28,14 @@ pub fn expected_running_time(runs: &[Attempt]) -> Option<f64> {
     (successes > 0).then(|| all / successes as f64)
 }
 
-/// An [expected running time](expected_running_time) with its 95 % interval.
+/// An [expected running time](expected_running_time) with its interval.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct RunningTime {
     /// Evaluations for each success.
     pub expected: f64,
-    /// The [bootstrap](bootstrap) interval, from a stream of its own; an end is `None` where so many samples have no success that there is
-    /// none. `None` for a single run.
+    /// The 95 % [bootstrap](bootstrap) interval; an end is `None` if too many resamples have no success for it to be finite. `None` for
+    /// a single run.
     pub interval: Option<[Option<f64>; 2]>,
 }
 
@@ -50,9 +50,9 @@ impl RunningTime {
     }
 }
 
-/// The ratios of performance profiles (Dolan and Moré 2002): of each solver, in ascending order, how many times more than the best it needed
-/// on the problems that it solved. `costs` are problem by problem the costs of all solvers, none below 0, and `None` where one failed. The share
-/// of problems on which a solver needs at most τ times the best is the number of its ratios up to τ, divided by that of all problems.
+/// The performance ratios of each solver in ascending order: its cost divided by the least cost, on the problems that it solved (Dolan and
+/// Moré 2002). `costs` holds, problem by problem, the solvers' costs, none below 0; `None` for a failure. A performance profile at τ is the
+/// number of ratios up to τ divided by the number of problems.
 ///
 /// ```
 /// use forage::statistics::performance_ratios;

@@ -18,7 +18,7 @@ pub struct RankSum {
     /// Mann and Whitney's U of the first sample.
     pub u: f64,
     /// The p-value, two-sided: exact for a sample of up to 8 without ties, otherwise by the normal approximation with
-    /// corrections for ties and continuity. It is computed as one minus a share: values below 1e-15 have no correct digits.
+    /// corrections for ties and continuity.
     pub p: f64,
     /// The probability that a number of the first sample is smaller than one of the second; ties count half.
     pub smaller: f64,
@@ -47,7 +47,7 @@ pub fn rank_sum(first: &[f64], second: &[f64]) -> Option<RankSum> {
 }
 
 /// U of the first and the approximate p-value, from the runs of equal numbers in the sorted samples. By hand: `statrs` compares
-/// each two of them.
+/// every pair of them.
 fn approximate(first: usize, second: usize, all: &[(f64, usize)]) -> (f64, f64) {
     let (mut before, mut sum, mut ties) = (0.0, 0.0, 0.0);
     for run in all.chunk_by(|a, b| a.0 == b.0) {

@@ -64,7 +64,7 @@ pub(super) enum Command {
     /// continues. The complete file has the same bytes whatever the number of threads, interruptions or parts.
     #[command(after_help = examples::EXPERIMENT)]
     Experiment(ExperimentArgs),
-    /// Run planners on a suite by which the field compares itself, and write what its tools read.
+    /// Run planners on a standard benchmark suite, and write files for the field's tools.
     ///
     /// Finished runs are kept: after an interruption the same command continues.
     #[command(after_help = examples::BENCH, subcommand_value_name = "SUITE", subcommand_help_heading = "Suites")]
@@ -261,23 +261,23 @@ pub(super) struct TsplibArgs {
     /// Evaluations for each stop: tours, or moves of one, that are measured.
     #[arg(long, value_name = "N", default_value_t = forage_study::bench::tsplib::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(super) budget: u64,
-    /// How often each instance is toured, with the seeds 1 to N.
+    /// Runs per instance; the seeds are 1 to N.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000))]
     pub(super) runs: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
 }
 
-/// What all suites have.
+/// The options of all suites.
 #[derive(Args)]
 pub(super) struct SuiteArgs {
-    /// Who takes part, with commas between; default: all that can; of movingai the graph searches, of tsplib those that change one tour.
+    /// The planners, separated by commas; default: all that can run; movingai: the graph searches; tsplib: planners without a population.
     #[arg(long, value_name = "PLANNERS", value_delimiter = ',')]
     pub(super) planners: Vec<String>,
-    /// A planner of your own, in JavaScript, that takes part: with those of `--planners`, or alone. Can be given several times.
+    /// A planner of your own, in JavaScript: with those of `--planners`, or alone. Can be given several times.
     #[arg(long, value_name = "FILE.js", value_hint = ValueHint::FilePath)]
     pub(super) code: Vec<PathBuf>,
-    /// A parameter of all planners that take part, or with `PLANNER.` before it of one of them. Can be given several times.
+    /// A parameter of all planners, or with `PLANNER.` before it of one of them. Can be given several times.
     #[arg(long, value_name = "[PLANNER.]NAME=VALUE")]
     pub(super) set: Vec<String>,
     /// The folder for rows, report and files of the suite's tools; default: the suite's name.
@@ -286,10 +286,10 @@ pub(super) struct SuiteArgs {
     /// How many threads to use; default: all cores. The rows do not depend on it.
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(super) jobs: Option<NonZeroUsize>,
-    /// Run only part I of N, into a file of rows of its own; without it, the rows of all parts in the folder are taken.
+    /// Run only part I of N, into a file of rows of its own; without it, the parts in the folder are merged.
     #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
     pub(super) shard: Option<String>,
-    /// Start over: throw away the rows that are there.
+    /// Delete existing rows and start again.
     #[arg(long)]
     pub(super) fresh: bool,
 }

@@ -13,7 +13,7 @@ use forage::{
 };
 use forage_study::{
     bench::{
-        Contender, barn, bbob, centre_bias, movingai, peers,
+        Contender, barn, baselines, bbob, centre_bias, movingai,
         suite::{self, Suite},
         trees, tsplib,
     },
@@ -28,7 +28,7 @@ use super::{
     load::{self, read_pairs},
     output::{note, print},
     progress,
-    registry::{bring, registry},
+    registry::{register, registry},
     text::quoted,
 };
 
@@ -40,42 +40,42 @@ const TABLE: &str = "table.csv";
 const SHOWN: usize = 10;
 
 pub(super) fn bench(args: &BenchArgs) -> Outcome {
-    for peer in peers::ALL.iter().filter(|peer| registry().planner(peer.name).is_err()) {
-        bring(peer);
+    for peer in baselines::ALL.iter().filter(|peer| registry().planner(peer.name).is_err()) {
+        register(peer);
     }
     match &args.suite {
-        args::Suite::Barn(args) => conduct(&barn::Plan::read(&args.folder, args.radius, args.every.into())?, &args.common),
-        args::Suite::Bbob(args) => conduct(&bbob_plan(args)?, &args.common),
+        args::Suite::Barn(args) => run_suite(&barn::Plan::read(&args.folder, args.radius, args.every.into())?, &args.common),
+        args::Suite::Bbob(args) => run_suite(&bbob_plan(args)?, &args.common),
         args::Suite::CentreBias(args) => {
             let plan = centre_bias::Plan { dimension: args.dimension, instances: args.instances, budget: args.budget };
-            conduct(&plan, &args.common)
+            run_suite(&plan, &args.common)
         }
         args::Suite::Movingai(args) => {
             let plan = movingai::Plan::read(&args.folder, args.per_bucket.map(usize::from))?;
-            conduct(&plan, &args.common)
+            run_suite(&plan, &args.common)
         }
         args::Suite::Trees(args) => {
             let scenes = args.scenes.iter().map(|text| load::scene(text)).collect::<Result<_, _>>()?;
-            conduct(&trees::Plan::new(registry(), scenes, args.runs, args.budget)?, &args.common)
+            run_suite(&trees::Plan::new(registry(), scenes, args.runs, args.budget)?, &args.common)
         }
         args::Suite::Tsplib(args) => {
             let largest = args.largest.map(usize::from);
             let plan = tsplib::Plan::read(registry(), &args.folder, largest, args.budget, args.runs)?;
-            conduct(&plan, &args.common)
+            run_suite(&plan, &args.common)
         }
     }
 }
 
 /// Runs a suite, or a part of it, and writes what comes of it.
-fn conduct<S: Suite>(suite: &S, args: &SuiteArgs) -> Outcome {
+fn run_suite<S: Suite>(suite: &S, args: &SuiteArgs) -> Outcome {
     let contenders = contenders::<S>(args)?;
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
-    let attempts = suite.attempts(registry(), &contenders)?;
+    let attempts = suite.jobs(registry(), &contenders)?;
     let folder = args.out.clone().unwrap_or_else(|| PathBuf::from(S::NAME));
     files::check_folder("--out", &folder)?;
     fs::create_dir_all(&folder).map_err(|error| Failure::write(&folder, error))?;
     suite.notes().iter().for_each(|text| note(text));
-    let rows = carry_out::<S>(&attempts, part, &folder, args)?;
+    let rows = run_part::<S>(&attempts, part, &folder, args)?;
     if part.of > 1 {
         print(&format!("{} of {} runs are in {}", rows.len(), attempts.len(), quoted(&folder.to_string_lossy())))?;
     } else {
@@ -105,13 +105,8 @@ fn bbob_plan(args: &BbobArgs) -> Result<bbob::Plan, Failure> {
 }
 
 /// Runs the part's jobs whose rows are missing, and returns the part's rows.
-fn carry_out<S: Suite>(
-    attempts: &[S::Attempt],
-    part: Part,
-    folder: &Path,
-    args: &SuiteArgs,
-) -> Result<Vec<<S::Attempt as Job>::Row>, Failure> {
-    let own: Vec<S::Attempt> = part.jobs(attempts.len()).map(|job| attempts[job].clone()).collect();
+fn run_part<S: Suite>(attempts: &[S::Task], part: Part, folder: &Path, args: &SuiteArgs) -> Result<Vec<<S::Task as Job>::Row>, Failure> {
+    let own: Vec<S::Task> = part.jobs(attempts.len()).map(|job| attempts[job].clone()).collect();
     let name = if part.of > 1 { format!("{ROWS}.{}-of-{}.csv", part.index, part.of) } else { format!("{ROWS}.csv") };
     let file = folder.join(name);
     if part.of == 1 {
@@ -119,7 +114,7 @@ fn carry_out<S: Suite>(
         if args.fresh {
             parts.iter().try_for_each(|part| fs::remove_file(part).map_err(|error| Failure::write(part, error)))?;
         } else {
-            suite::gather(&file, &parts, attempts, &interrupt::flag())?;
+            suite::merge_parts(&file, &parts, attempts, &interrupt::flag())?;
         }
     }
     let stop = interrupt::flag();
@@ -146,11 +141,11 @@ fn parts(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 
 /// Who takes part, with what is set of them.
 fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
-    let everyone = S::everyone(registry());
-    let known: Vec<&str> = everyone.iter().map(|contender| contender.planner.as_str()).collect();
+    let all_planners = S::all_planners(registry());
+    let known: Vec<&str> = all_planners.iter().map(|contender| contender.planner.as_str()).collect();
     let mut chosen: Vec<Contender> = Vec::new();
     for name in &args.planners {
-        let found = everyone.iter().find(|contender| contender.planner == *name);
+        let found = all_planners.iter().find(|contender| contender.planner == *name);
         let found = found.ok_or_else(|| Error::unknown("--planners", name, known.iter().copied()))?;
         if chosen.iter().any(|contender| contender.planner == *name) {
             return Err(Error::refused("--planners", name.as_str(), Message::verbatim("named once")).into());
@@ -158,11 +153,11 @@ fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
         chosen.push(found.clone());
     }
     if chosen.is_empty() && args.code.is_empty() {
-        chosen = S::usual(registry());
+        chosen = S::default_planners(registry());
     }
     for path in &args.code {
-        let name = load::bring(path)?;
-        let found = S::everyone(registry()).into_iter().find(|contender| contender.planner == name);
+        let name = load::register_code(path)?;
+        let found = S::all_planners(registry()).into_iter().find(|contender| contender.planner == name);
         let refused = || Error::refused("--code", name, Message::verbatim("a planner for the suite's kind of scene"));
         chosen.push(found.ok_or_else(refused)?);
     }
@@ -176,12 +171,12 @@ fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
         let (planner, name) = left.split_once('.').map_or((None, left), |(planner, name)| (Some(planner), name));
         let mut params = Overrides::default();
         read_pairs("--set", &[format!("{name}={value}")], &mut params)?;
-        let mut meant = 0;
+        let mut matched = 0;
         for contender in chosen.iter_mut().filter(|contender| planner.is_none_or(|planner| contender.planner == planner)) {
             params.iter().for_each(|(name, value)| contender.params.insert(name, value.clone()));
-            meant += 1;
+            matched += 1;
         }
-        if meant == 0 {
+        if matched == 0 {
             let names: Vec<&str> = chosen.iter().map(|contender| contender.planner.as_str()).collect();
             let allowed = format!("of a planner that takes part: {}", names.join(", "));
             return Err(Error::refused("--set", pair.as_str(), Message::verbatim(allowed)).into());
@@ -195,7 +190,7 @@ fn dimensions(given: Option<&str>) -> Result<Vec<usize>, Failure> {
     let [least, .., most] = bbob::DIMENSIONS;
     let chosen = numbers("--dimensions", given, least, most, bbob::DIMENSIONS.to_vec())?;
     match chosen.iter().find(|dimension| !bbob::DIMENSIONS.contains(dimension)) {
-        Some(wrong) => Err(Error::refused("--dimensions", *wrong, Message::verbatim("of 2, 3, 5, 10, 20 and 40")).into()),
+        Some(wrong) => Err(Error::refused("--dimensions", *wrong, Message::verbatim("one of 2, 3, 5, 10, 20 and 40")).into()),
         None => Ok(chosen),
     }
 }

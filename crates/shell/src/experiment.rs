@@ -10,7 +10,7 @@ use std::{
 use forage::{Error, Link, Scene, kernel::Message};
 use forage_study::{
     runner::Control,
-    sweep::{self, Curves, Kept, Part, Summary, Sweep, pictures, read},
+    sweep::{self, Curves, Kept, Part, Sweep, SweepStatistics, pictures, read},
 };
 use serde_json::json;
 
@@ -54,7 +54,7 @@ pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
 fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
     let (sweep, part) = (kept.sweep(), kept.part());
     if part == Part::WHOLE {
-        let summary = Summary::of(kept);
+        let summary = SweepStatistics::of(kept);
         if let Some(path) = &args.report {
             let shown = pictures::draw(kept, &summary, path)?;
             files::write(path, summary.markdown() + &shown)?;

@@ -122,11 +122,11 @@ pub(super) fn seed(text: &str) -> Result<u64, Error> {
 pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
     let given_link = [&args.planner, &args.scene].into_iter().flatten().find(|text| Link::is_link(text));
     let own = match (&args.code, given_link) {
-        (Some(path), _) => Some(bring(path)?),
+        (Some(path), _) => Some(register_code(path)?),
         (None, Some(link)) => {
             // It is the link's planner, not another one on its scene.
             if let Some(code) = forage_isolate::code_in(link)? {
-                own_planner(&code, registry()).map(registry::bring)?;
+                own_planner(&code, registry()).map(registry::register)?;
             }
             None
         }
@@ -145,11 +145,11 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
 }
 
 /// Adds the planner of a file's code to those that are known; returns its name.
-pub(super) fn bring(path: &Path) -> Result<&'static str, Failure> {
+pub(super) fn register_code(path: &Path) -> Result<&'static str, Failure> {
     let code = String::from_utf8(files::read(path, LONGEST_CODE)?)
         .map_err(|_| Failure::Refused(format!("{}: this is no text", files::quoted_path(path))))?;
     let entry = own_planner(&code, registry()).map_err(|error| in_file(path, &error))?;
-    registry::bring(entry);
+    registry::register(entry);
     Ok(entry.name)
 }
 

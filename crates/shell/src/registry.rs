@@ -19,8 +19,8 @@ pub(super) fn registry() -> &'static Arc<Registry> {
     more.unwrap_or_else(|| KNOWN.get_or_init(|| Arc::clone(forage::standard())))
 }
 
-/// Adds a planner that the user brings. It is kept as long as the program runs: there are as many as files that were named.
-pub(super) fn bring(entry: &'static Entry) {
+/// Registers a planner of the user. It is kept as long as the program runs: there are as many as files that were named.
+pub(super) fn register(entry: &'static Entry) {
     let all = Registry::clone(registry()).with(entry);
     *MORE.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::leak(Box::new(Arc::new(all))));
 }

@@ -26,7 +26,7 @@ use super::{
     fit::{self, Fit},
     options::{Options, command},
     report::Report,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
     table::{Cell, Table},
@@ -98,7 +98,7 @@ struct Run {
     measured_total_ms: f64,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.method, self.stops, self.seed)
     }

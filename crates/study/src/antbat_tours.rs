@@ -25,7 +25,7 @@ use super::{
     options::{Options, command},
     published::{ANTBAT_TOURS, Tours},
     report::Report,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
     table::{Cell, Table},
@@ -95,7 +95,7 @@ struct Run {
     evaluations: u64,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.block, &self.planner, self.seed)
     }

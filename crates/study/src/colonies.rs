@@ -22,7 +22,7 @@ use super::{
     marks::Basis,
     options::Options,
     report::Report,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
     table::{Cell, Table},
@@ -58,7 +58,7 @@ pub(super) struct Run {
     pub improved: String,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.planner, &self.parameters, self.seed)
     }

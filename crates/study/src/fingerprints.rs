@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     failure::{Failure, at},
-    rows::{Row, Rows, line},
+    rows::{KeyedRow, Rows, line},
     runner::{self, Control, Job},
 };
 
@@ -31,7 +31,7 @@ const IN_A_LINE: usize = 16;
 ///
 /// # Errors
 /// None that is known: the row is written to memory.
-pub fn fingerprint<R: Row>(row: &R) -> Result<u32, Failure> {
+pub fn fingerprint<R: KeyedRow>(row: &R) -> Result<u32, Failure> {
     let mut digest = Digest::default();
     digest.bytes(&line(&row.computed()).map_err(at(Path::new(FILE)))?);
     // The first half of the hash.
@@ -255,7 +255,7 @@ mod tests {
         measured_ms: f64,
     }
 
-    impl Row for Divided {
+    impl KeyedRow for Divided {
         fn key(&self) -> String {
             self.number.to_string()
         }

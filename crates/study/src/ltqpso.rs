@@ -20,7 +20,7 @@ use super::{
     options::{Options, command},
     published::{Results, TABLE_3, TABLE_4},
     report::Report,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
     table::{Cell, Table},
@@ -116,7 +116,7 @@ struct Run {
     ms: f64,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.case, &self.planner, self.seed)
     }

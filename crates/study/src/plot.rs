@@ -1,4 +1,4 @@
-//! Pictures of planners beside each other: a curve for each over linear or logarithmic axes, ratios with intervals, mean ranks.
+//! Plots that compare planners: curves over linear or logarithmic axes, ratios with intervals, mean ranks.
 
 use std::{error::Error, io, ops::Range, path::Path};
 
@@ -56,8 +56,8 @@ pub(crate) struct Curve {
 }
 
 impl Curve {
-    /// Which share of `all` is at most so large, of numbers in order: steps from `from` to `to`.
-    pub(crate) fn shares(name: &str, numbers: &[f64], all: usize, [from, to]: [f64; 2]) -> Self {
+    /// The empirical cumulative distribution of sorted `numbers` among `all`, as steps between `from` and `to`.
+    pub(crate) fn ecdf(name: &str, numbers: &[f64], all: usize, [from, to]: [f64; 2]) -> Self {
         let share = |count: usize| count as f64 / all.max(1) as f64;
         let first = numbers.partition_point(|number| *number <= from);
         let mut points = vec![(from, share(first))];
@@ -73,7 +73,7 @@ impl Curve {
     }
 }
 
-/// Draws curves, with the names where there is room for them.
+/// Draws curves, with a legend at the given position.
 ///
 /// # Errors
 /// A file that cannot be written.
@@ -237,8 +237,8 @@ mod tests {
 
     #[test]
     fn shares_are_steps() {
-        let Curve { points, .. } = Curve::shares("", &[1.0, 2.0, 2.0, 5.0, 9.0], 10, [1.0, 8.0]);
+        let Curve { points, .. } = Curve::ecdf("", &[1.0, 2.0, 2.0, 5.0, 9.0], 10, [1.0, 8.0]);
         assert_eq!(points, [(1.0, 0.1), (2.0, 0.1), (2.0, 0.3), (5.0, 0.3), (5.0, 0.4), (8.0, 0.4)]);
-        assert_eq!(Curve::shares("", &[], 0, [1.0, 2.0]).points, [(1.0, 0.0), (2.0, 0.0)]);
+        assert_eq!(Curve::ecdf("", &[], 0, [1.0, 2.0]).points, [(1.0, 0.0), (2.0, 0.0)]);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use forage::statistics::{Friedman, alike, friedman, performance_ratios};
+use forage::statistics::{Friedman, friedman, homogeneous_groups, performance_ratios};
 
 use super::{
     failure::Failure,
@@ -42,10 +42,10 @@ impl Ranking {
     /// Mean ranks, from the best; those with a common group do not differ. `of`: what the problems are.
     pub(crate) fn table(&self, of: &str) -> Option<Table> {
         let (Friedman { ranks, p, .. }, difference) = self.ranks()?;
-        let groups = alike(&ranks, difference);
+        let groups = homogeneous_groups(&ranks, difference);
         let p = p.map_or(String::new(), |p| format!(", Friedman’s {}", p_is(p)));
         let title = format!(
-            "Mean ranks over {} {of}{p}; ranks differ from {} on (Nemenyi, 5 %); those that share a letter do not",
+            "Mean ranks over {} {of}{p}; they differ significantly from {} on (Nemenyi, 5 %); planners that share a letter do not differ",
             self.costs.len(),
             significant(difference, 3)
         );
@@ -61,7 +61,7 @@ impl Ranking {
     /// Draws the mean ranks with a bar over those that do not differ (Demšar 2006); whether there was something to draw.
     pub(crate) fn draw_ranks(&self, path: &Path) -> Result<bool, Failure> {
         let Some((Friedman { ranks, .. }, difference)) = self.ranks() else { return Ok(false) };
-        let bars = alike(&ranks, difference);
+        let bars = homogeneous_groups(&ranks, difference);
         let ranked: Vec<Ranked> = self.planners.iter().cloned().zip(ranks).map(|(name, rank)| Ranked { name, rank }).collect();
         plot::draw_ranks(path, &ranked, difference, &bars)?;
         Ok(true)
@@ -71,7 +71,7 @@ impl Ranking {
     pub(crate) fn draw_profile(&self, path: &Path, cost: &'static str) -> Result<(), Failure> {
         let ratios = performance_ratios(&self.costs);
         let most = ratios.iter().flatten().copied().filter(|ratio| ratio.is_finite()).fold(9.6, f64::max) * 1.05;
-        let curve = |(name, ratios): (&String, &Vec<f64>)| Curve::shares(name, ratios, self.costs.len(), [1.0, most]);
+        let curve = |(name, ratios): (&String, &Vec<f64>)| Curve::ecdf(name, ratios, self.costs.len(), [1.0, most]);
         let curves: Vec<Curve> = self.planners.iter().zip(&ratios).map(curve).collect();
         let x = Axis { title: cost, range: 1.0..most, log: true };
         let y = Axis { title: "share of problems", range: 0.0..1.02, log: false };

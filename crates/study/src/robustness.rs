@@ -18,7 +18,7 @@ use super::{
     fingerprints::JobList,
     options::Options,
     report::Report,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
     table::{Cell, Table},
@@ -57,7 +57,7 @@ struct Run {
     evaluations: u64,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.planner, &self.generator, self.side, self.map)
     }

@@ -23,7 +23,7 @@ use super::{
 const LARGEST: u64 = 1 << 30;
 
 /// What a job finds out. Its fields become columns, in their order.
-pub trait Row: Clone + PartialEq + Serialize + DeserializeOwned + Send + Sync {
+pub trait KeyedRow: Clone + PartialEq + Serialize + DeserializeOwned + Send + Sync {
     /// What tells it from all other rows of the file; the key of the job that made it.
     fn key(&self) -> String;
     /// The row without what is measured, such as times: what the job gives whenever it is run.
@@ -44,7 +44,7 @@ pub struct Rows<R> {
     kept: Vec<R>,
 }
 
-impl<R: Row> Rows<R> {
+impl<R: KeyedRow> Rows<R> {
     /// Opens the file, made if need be, and reads what is there; `fresh`: throws it away.
     ///
     /// # Errors
@@ -120,11 +120,11 @@ impl<R: Row> Rows<R> {
 ///
 /// # Errors
 /// None that is known: it is written to memory.
-pub fn line<R: Row>(row: &R) -> Result<Vec<u8>, std::io::Error> {
+pub fn line<R: KeyedRow>(row: &R) -> Result<Vec<u8>, std::io::Error> {
     lines([row], false)
 }
 
-fn lines<'a, R: Row + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, std::io::Error> {
+fn lines<'a, R: KeyedRow + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, std::io::Error> {
     let mut writer = csv::WriterBuilder::new().has_headers(headed).from_writer(Vec::new());
     for row in rows {
         writer.serialize(row).map_err(std::io::Error::other)?;

@@ -16,13 +16,13 @@ use forage::kernel::Message;
 
 use super::{
     failure::Failure,
-    rows::{Row, Rows},
+    rows::{KeyedRow, Rows},
 };
 
 /// One row's worth of work. The row depends on nothing but the job.
 pub trait Job: Sync {
     /// What it finds out.
-    type Row: Row;
+    type Row: KeyedRow;
     /// What tells it from all other jobs of the experiment.
     fn key(&self) -> String;
     /// About how much work it is, beside the others: heavy ones begin first, and the progress counts in it.
@@ -183,7 +183,7 @@ mod tests {
         odd: Option<bool>,
     }
 
-    impl Row for Square {
+    impl KeyedRow for Square {
         fn key(&self) -> String {
             self.name.clone()
         }

@@ -12,7 +12,7 @@ use forage::{
     statistics::Moments,
 };
 
-use super::{rows::Row, runner::Job};
+use super::{rows::KeyedRow, runner::Job};
 
 /// The standard deviation that the results must stay under.
 pub const THRESHOLD: f64 = 0.05;
@@ -97,7 +97,7 @@ pub struct Found {
     pub evaluations: u64,
 }
 
-impl Row for Found {
+impl KeyedRow for Found {
     fn key(&self) -> String {
         let Self { aim, start, segments, block, runs, limit, .. } = *self;
         key(&Task { aim, start, segments, block, runs }, limit)

@@ -20,7 +20,7 @@ use forage::{
 use super::{
     failure::Failure,
     options::Options,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
 };
 
@@ -59,7 +59,7 @@ impl Tuned {
     }
 }
 
-impl Row for Tuned {
+impl KeyedRow for Tuned {
     fn key(&self) -> String {
         key(&self.scene, self.seed)
     }

@@ -21,7 +21,7 @@ use super::{
     options::{Options, command},
     published::wcpso::{self as published, PATH_RUNS, PLANNERS, SHORTEST, TABLE_2},
     report::Report,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
     table::{Cell, Table},
@@ -89,7 +89,7 @@ struct Run {
     evaluations: u64,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.scene, &self.planner, self.v_max, self.seed)
     }

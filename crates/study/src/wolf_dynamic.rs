@@ -21,7 +21,7 @@ use super::{
     options::{Options, command},
     published::{WOLF_ANT, WOLF_ANT_TURNS},
     report::Report,
-    rows::Row,
+    rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
     table::{Cell, Table},
@@ -75,7 +75,7 @@ struct Run {
     smallest_distance: Option<f64>,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.scene, &self.planner, &self.colony, self.seed)
     }

@@ -102,12 +102,12 @@ fn defaults(parameter: &Parameter, kinds: &[SceneKindId]) -> String {
     format!("{first}; only on {}", names.join(", "))
 }
 
-/// What was measured of a planner, beside random search.
+/// The centre bias of a planner, with that of random search.
 fn centre_bias(bias: CentreBias) -> String {
     let shown = |ratio: Ratio| format!("{:.2} ({:.2} to {:.2})", ratio.value, ratio.from, ratio.to);
     format!(
-        "With its defaults, in 10 variables and 10,000 evaluations: on functions whose minimum is not in the middle of the search box its gap is {} times as large; that of random search: {:.2} times. \
-         On functions whose axes are turned: {} times.",
+        "With default parameters, in 10 variables and 10,000 evaluations: shifting the minimum away from the centre of the search box \
+         multiplies the gap by {} (random search: {:.2}). Rotating the axes multiplies it by {}.",
         shown(bias.shifted),
         bias.random_search.value,
         shown(bias.rotated)

@@ -14,7 +14,7 @@ use forage::{
     standard,
 };
 
-use super::super::{rows::Row, runner::Job};
+use super::super::{rows::KeyedRow, runner::Job};
 
 /// A run. What begins with `measured` is no result: it differs each time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,7 +51,7 @@ pub(super) struct Run {
     pub measured_ms: f64,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         key(&self.scene, &self.planner, self.step, self.seed)
     }

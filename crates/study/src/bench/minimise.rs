@@ -12,7 +12,7 @@ use forage::{
 };
 
 use super::{
-    super::within::{Reached, within},
+    super::within::{RunEnd, run_within_budget},
     recorder::Recorder,
     suite::Contender,
     targets,
@@ -56,7 +56,7 @@ impl Minimisation<'_> {
     pub fn run(&self, known: FunctionScene, stop: &AtomicBool) -> Result<Option<Convergence>, Error> {
         let minimum = known.minimum().map_or(0.0, |minimum| minimum.value);
         let inner = Arc::clone(known.objective());
-        within(self.registry, self.setup(known)?, self.budget, |setup| self.attempt(setup, minimum, Arc::clone(&inner), stop))
+        run_within_budget(self.registry, self.setup(known)?, self.budget, |setup| self.attempt(setup, minimum, Arc::clone(&inner), stop))
     }
 
     /// Runs as it is set up, but on a function that records what is evaluated.
@@ -66,7 +66,7 @@ impl Minimisation<'_> {
         minimum: f64,
         inner: Arc<dyn Objective>,
         stop: &AtomicBool,
-    ) -> Result<Option<(Convergence, Reached)>, Error> {
+    ) -> Result<Option<(Convergence, RunEnd)>, Error> {
         let recorder = Arc::new(Recorder::new(inner, self.budget));
         setup.scene = self.setup(FunctionScene::of(Arc::<Recorder>::clone(&recorder), None, None)?)?.scene;
         recorder.clear();
@@ -83,10 +83,10 @@ impl Minimisation<'_> {
         let convergence = recorder.read(|log| {
             // What was evaluated in the same iteration after it was solved does not count.
             let mut improvements: Vec<_> = log.improvements.iter().map(|(at, value)| (*at, value - minimum)).collect();
-            let evaluations = targets::hit(&improvements, targets::FINAL).unwrap_or(log.evaluations);
+            let evaluations = targets::hitting_time(&improvements, targets::FINAL).unwrap_or(log.evaluations);
             improvements.retain(|(at, _)| *at <= evaluations);
             Convergence { evaluations, improvements }
         });
-        Ok(Some((convergence, Reached::of(&run))))
+        Ok(Some((convergence, RunEnd::of(&run))))
     }
 }

@@ -1,14 +1,14 @@
-//! Suites by which a field compares itself, with planners of ours: `forage bench`.
+//! Standard benchmark suites: `forage bench`.
 //!
-//! A suite is a list of [jobs](super::runner::Job), whose rows are kept like those of any experiment. Out of the rows the files are
-//! written that others' tools read.
+//! A suite is a list of [jobs](super::runner::Job), whose rows are kept like those of any experiment. From the rows come a report and the
+//! files that the field's tools read.
 
 pub mod barn;
+pub mod baselines;
 pub mod bbob;
 pub mod centre_bias;
 mod minimise;
 pub mod movingai;
-pub mod peers;
 mod recorder;
 pub mod suite;
 mod targets;

@@ -1,4 +1,4 @@
-//! What a run's evaluations came to, one by one: a run itself reports once an iteration.
+//! Records every evaluation of a run; the run itself reports once per iteration.
 
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -1,4 +1,4 @@
-//! What all suites have in common: who takes part, rows that are kept and put together, folders that others' tools read.
+//! What all suites have in common: planners and their parameters, rows of parts that are merged, folders for the field's tools.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -11,15 +11,16 @@ use std::{
 };
 
 use forage::{Error, Overrides, Registry, kernel::Message};
+use forage_formats::NamedFile;
 
 use super::super::{
     failure::{Failure, at},
-    rows::{Row, Rows},
+    rows::{KeyedRow, Rows},
     runner::Job,
     table::Table,
 };
 
-/// A planner that takes part, with what is set of it.
+/// A planner with its overrides.
 #[derive(Debug, Clone)]
 pub struct Contender {
     /// The planner's name.
@@ -34,61 +35,61 @@ impl Contender {
         Self { planner: planner.to_owned(), params: Overrides::default() }
     }
 
-    /// What is set, as a text: `w=0.7 c1=2`.
-    pub fn set(&self) -> String {
+    /// The overrides as a text: `w=0.7 c1=2`.
+    pub fn overrides_text(&self) -> String {
         self.params.iter().map(|(name, value)| format!("{name}={value}")).collect::<Vec<_>>().join(" ")
     }
 
-    /// The planner, with what is set of it.
+    /// The planner with its overrides, as tables name it.
     pub fn name(&self) -> String {
-        named(&self.planner, &self.set())
+        planner_label(&self.planner, &self.overrides_text())
     }
 }
 
-/// A planner with what is set of it, as tables have it.
-pub(super) fn named(planner: &str, set: &str) -> String {
+/// A planner with its overrides, as tables name it.
+pub(super) fn planner_label(planner: &str, set: &str) -> String {
     if set.is_empty() { planner.to_owned() } else { format!("{planner} {set}") }
 }
 
 /// A job of a suite: a planner on one of its problems.
-pub trait Attempt: Job + Clone {
-    /// Who tries.
+pub trait SuiteJob: Job + Clone {
+    /// The planner with its overrides.
     fn contender(&self) -> &Contender;
 }
 
 /// A suite: its jobs, and what is made of their rows.
 pub trait Suite {
     /// A job.
-    type Attempt: Attempt;
+    type Task: SuiteJob;
 
     /// Its name in commands, and that of its folder.
     const NAME: &'static str;
 
     /// All planners that can take part.
-    fn everyone(registry: &Registry) -> Vec<Contender>;
+    fn all_planners(registry: &Registry) -> Vec<Contender>;
 
-    /// Who takes part unless it is said otherwise.
-    fn usual(registry: &Registry) -> Vec<Contender> {
-        Self::everyone(registry)
+    /// The planners that take part by default.
+    fn default_planners(registry: &Registry) -> Vec<Contender> {
+        Self::all_planners(registry)
     }
 
     /// The jobs, in the order of their rows; what can be refused without running it is.
     ///
     /// # Errors
     /// Too many runs; a parameter that a planner does not have, or a value that it does not allow.
-    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Self::Attempt>, Error>;
+    fn jobs(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Self::Task>, Error>;
 
     /// Writes what others' tools read, and a report with pictures, into a folder; returns the files to look at.
     ///
     /// # Errors
     /// Files that cannot be written.
-    fn write(&self, rows: &[<Self::Attempt as Job>::Row], folder: &Path) -> Result<Vec<PathBuf>, Failure>;
+    fn write(&self, rows: &[<Self::Task as Job>::Row], folder: &Path) -> Result<Vec<PathBuf>, Failure>;
 
     /// The table that is printed in the end, and kept as CSV.
-    fn table(&self, rows: &[<Self::Attempt as Job>::Row]) -> Table;
+    fn table(&self, rows: &[<Self::Task as Job>::Row]) -> Table;
 
-    /// What must not be: results of exact planners that are not the optimum that the suite gives.
-    fn faults(&self, _rows: &[<Self::Attempt as Job>::Row]) -> Vec<String> {
+    /// Results that contradict a known optimum: an exact planner that misses it, a tour that is shorter.
+    fn faults(&self, _rows: &[<Self::Task as Job>::Row]) -> Vec<String> {
         Vec::new()
     }
 
@@ -99,23 +100,23 @@ pub trait Suite {
 }
 
 /// So many runs at most: each is known before the first begins.
-pub const MOST: usize = 1_000_000;
+pub const MOST_RUNS: usize = 1_000_000;
 
 /// Refuses more runs than there may be.
 pub(super) fn check_count(runs: usize) -> Result<(), Error> {
-    if runs > MOST { Err(Error::refused("runs", runs, Message::verbatim(format!("at most {MOST}")))) } else { Ok(()) }
+    if runs > MOST_RUNS { Err(Error::refused("runs", runs, Message::verbatim(format!("at most {MOST_RUNS}")))) } else { Ok(()) }
 }
 
-/// Takes the rows of parts that are in the same folder into a file of rows: those that it has not. Of each file and planner the lightest
-/// run is carried out again: rows of another version of the program are refused.
+/// Merges the rows of `parts` into `file`. For each file and planner the cheapest run is repeated; rows that it does not reproduce are
+/// refused, since they come from another version of the program.
 ///
 /// # Errors
 /// As [`Rows::open`]; a row that is not what the run gives now; [`Failure::Interrupted`] when it was stopped.
-pub fn gather<A: Attempt>(file: &Path, parts: &[PathBuf], attempts: &[A], stop: &AtomicBool) -> Result<(), Failure> {
+pub fn merge_parts<A: SuiteJob>(file: &Path, parts: &[PathBuf], attempts: &[A], stop: &AtomicBool) -> Result<(), Failure> {
     let mut rows = Rows::<A::Row>::open(file, false)?;
     let kept = rows.take();
     check(file, &kept, attempts, stop)?;
-    let mut known: BTreeSet<String> = kept.iter().map(Row::key).collect();
+    let mut known: BTreeSet<String> = kept.iter().map(KeyedRow::key).collect();
     for part in parts {
         let others = Rows::<A::Row>::open(part, false)?.take();
         check(part, &others, attempts, stop)?;
@@ -131,7 +132,7 @@ pub fn gather<A: Attempt>(file: &Path, parts: &[PathBuf], attempts: &[A], stop: 
     Ok(())
 }
 
-fn check<A: Attempt>(file: &Path, kept: &[A::Row], attempts: &[A], stop: &AtomicBool) -> Result<(), Failure> {
+fn check<A: SuiteJob>(file: &Path, kept: &[A::Row], attempts: &[A], stop: &AtomicBool) -> Result<(), Failure> {
     let known: BTreeMap<String, &A::Row> = kept.iter().map(|row| (row.key(), row)).collect();
     let mut lightest: BTreeMap<String, &A> = BTreeMap::new();
     for attempt in attempts.iter().filter(|attempt| known.contains_key(&attempt.key())) {
@@ -150,19 +151,29 @@ fn check<A: Attempt>(file: &Path, kept: &[A::Row], attempts: &[A], stop: &Atomic
     Ok(())
 }
 
+/// A name as part of a file's name.
+pub(super) fn safe_file_name(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || ".-_=".contains(c) { c } else { '_' }).collect()
+}
+
+/// A file with its name, as the readers of formats take it.
+pub(super) fn read_named(path: &Path) -> Result<NamedFile, Failure> {
+    Ok(NamedFile::new(path.to_string_lossy(), fs::read(path).map_err(at(path))?))
+}
+
 /// By this file a folder is known as one that was written here.
-const MARK: &str = "written-by-forage.txt";
+const MARKER: &str = "written-by-forage.txt";
 
 /// Makes a folder without what was written there before: tools would read both together.
-pub(super) fn empty(folder: &Path) -> Result<(), Failure> {
-    if folder.join(MARK).exists() {
+pub(super) fn recreate_folder(folder: &Path) -> Result<(), Failure> {
+    if folder.join(MARKER).exists() {
         fs::remove_dir_all(folder).map_err(at(folder))?;
     } else if folder.exists() {
         let problem = "it was not written by forage bench; choose another --out".to_owned();
         return Err(Error::malformed(&folder.display().to_string(), Message::verbatim(problem)).into());
     }
     fs::create_dir_all(folder).map_err(at(folder))?;
-    let mark = folder.join(MARK);
+    let mark = folder.join(MARKER);
     fs::write(&mark, "forage bench writes this folder, and removes it before it writes it again.\n").map_err(at(&mark))
 }
 

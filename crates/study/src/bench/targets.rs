@@ -5,7 +5,7 @@ use forage::math;
 /// What counts as solved.
 pub(super) const FINAL: f64 = 1e-8;
 /// Targets for running times: 51 from 100 down to what counts as solved.
-pub(super) const ALL: usize = 51;
+pub(super) const COUNT: usize = 51;
 
 /// The `k`-th of them, from the largest.
 pub(super) fn target(k: usize) -> f64 {
@@ -13,7 +13,7 @@ pub(super) fn target(k: usize) -> f64 {
 }
 
 /// Where a run's best value came below a level: evaluations, if it did.
-pub(super) fn hit(improvements: &[(u64, f64)], level: f64) -> Option<u64> {
+pub(super) fn hitting_time(improvements: &[(u64, f64)], level: f64) -> Option<u64> {
     let at = improvements.partition_point(|(_, gap)| *gap > level);
     improvements.get(at).map(|(evaluations, _)| *evaluations)
 }

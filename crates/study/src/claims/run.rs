@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{super::rows::Row, measure::Measure};
+use super::{super::rows::KeyedRow, measure::Measure};
 
 /// A run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,7 +39,7 @@ pub struct Run {
     pub numbers: String,
 }
 
-impl Row for Run {
+impl KeyedRow for Run {
     fn key(&self) -> String {
         format!("{}, {}, {}, {}, seed {}", self.scene, self.planner, self.parameters, self.until, self.seed)
     }

@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     super::{
         failure::{Failure, at},
-        rows::{Row, Rows},
+        rows::{KeyedRow, Rows},
     },
     kept::Kept,
     plan::{Part, Sweep},
@@ -56,7 +56,7 @@ struct KeptCurve {
     points: String,
 }
 
-impl Row for KeptCurve {
+impl KeyedRow for KeptCurve {
     fn key(&self) -> String {
         self.run.clone()
     }

@@ -21,7 +21,7 @@ use super::{
         failure::{Failure, at},
         files::{is_same, locked},
     },
-    line::{Format, Told, Wrong},
+    line::{Format, RunStatistics, Wrong},
     plan::{Part, Sweep},
 };
 
@@ -59,7 +59,7 @@ pub struct Kept<'a> {
     /// Where what is ours ends in the file.
     end: u64,
     rows: Vec<Where>,
-    told: Vec<Told>,
+    told: Vec<RunStatistics>,
     count: usize,
     /// Whether lines of the file were left out.
     damaged: bool,
@@ -88,7 +88,7 @@ impl<'a> Kept<'a> {
         let file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(at(path))?;
         let notes = locked(file.try_lock(), path)?.into_iter().collect();
         let all = part.len(sweep.len());
-        let (rows, told) = (vec![NOWHERE; all], vec![Told::default(); all]);
+        let (rows, told) = (vec![NOWHERE; all], vec![RunStatistics::default(); all]);
         let files = vec![path.to_owned()];
         let mut kept = Self { sweep, part, format, files, file, end: 0, rows, told, count: 0, damaged: false, notes };
         if !fresh {
@@ -258,7 +258,7 @@ impl<'a> Kept<'a> {
         at(self.path())(io::Error::other("another program wrote over rows in it; when that has ended the same command goes on"))
     }
 
-    fn hold(&mut self, slot: usize, here: Where, told: Told) {
+    fn hold(&mut self, slot: usize, here: Where, told: RunStatistics) {
         self.rows[slot] = here;
         self.told[slot] = told;
         self.count += 1;
@@ -318,7 +318,7 @@ impl<'a> Kept<'a> {
     }
 
     /// What came of a run, if its row is there.
-    pub(super) fn told(&self, job: usize) -> Option<Told> {
+    pub(super) fn statistics_of(&self, job: usize) -> Option<RunStatistics> {
         let slot = self.part.find(job)?;
         (self.rows[slot].length > 0).then(|| self.told[slot])
     }

@@ -154,7 +154,7 @@ impl Format {
     ///
     /// # Errors
     /// What is wrong with it.
-    pub(super) fn read(self, sweep: &Sweep, line: &[u8]) -> Result<(usize, Told), Wrong> {
+    pub(super) fn read(self, sweep: &Sweep, line: &[u8]) -> Result<(usize, RunStatistics), Wrong> {
         let texts = self.texts(sweep, line)?;
         let (lead, rest) = texts.split_at(LEAD.len());
         let (parameters, results) = rest.split_at(sweep.parameters.len());
@@ -193,7 +193,7 @@ impl Format {
         let exact = Optimum::of(number("exact")?);
         let (value, reached, deterministic) = (number("value")?, number("reached")?, flag("deterministic")?);
         let evaluations = number("evaluations")?.ok_or_else(|| damaged(&"evaluations is missing"))?;
-        Ok((job, Told { value, reached, evaluations, exact, by, deterministic }))
+        Ok((job, RunStatistics { value, reached, evaluations, exact, by, deterministic }))
     }
 }
 
@@ -240,7 +240,7 @@ impl Optimum {
 
 /// What the statistics need of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Told {
+pub(super) struct RunStatistics {
     pub(super) value: Option<f64>,
     /// Evaluations after which it came near enough to the optimum.
     pub(super) reached: Option<f64>,
@@ -253,7 +253,7 @@ pub(super) struct Told {
     pub(super) deterministic: bool,
 }
 
-impl From<&Record> for Told {
+impl From<&Record> for RunStatistics {
     fn from(record: &Record) -> Self {
         // What is no number is not written, either.
         let value = record.value.filter(|value| value.is_finite());

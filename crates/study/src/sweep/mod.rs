@@ -35,14 +35,14 @@ use forage::{
 use super::{
     failure::Failure,
     runner::{self, Control, Work},
-    within::{Reached, within},
+    within::{RunEnd, run_within_budget},
 };
 
 pub use curves::Curves;
 pub use kept::{Kept, damaged};
 pub use line::Format;
 pub use plan::{Budget, Part, Sweep};
-pub use summary::Summary;
+pub use summary::SweepStatistics;
 
 impl Work for Sweep {
     type Found = (Record, Vec<Improvement>);
@@ -63,10 +63,10 @@ impl Sweep {
         let Some(budget) = self.allowance(job) else {
             return self.attempt(self.setup(job), u64::MAX, stop);
         };
-        within(&self.registry, self.setup(job), budget, |setup| {
+        run_within_budget(&self.registry, self.setup(job), budget, |setup| {
             let trial = self.attempt(setup, budget, stop)?;
             Ok(trial.map(|mut trial| {
-                let reached = Reached::of(trial.run());
+                let reached = RunEnd::of(trial.run());
                 (trial, reached)
             }))
         })

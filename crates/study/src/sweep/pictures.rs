@@ -15,7 +15,7 @@ use super::{
         ranking::Ranking,
     },
     kept::Kept,
-    summary::{MOST_PAIRED, Summary},
+    summary::{MOST_PAIRED, SweepStatistics},
 };
 
 /// More curves than these cannot be told apart.
@@ -37,7 +37,7 @@ pub fn paths_of(report: &Path) -> [PathBuf; 3] {
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn draw(kept: &Kept, summary: &Summary, report: &Path) -> Result<String, Failure> {
+pub fn draw(kept: &Kept, summary: &SweepStatistics, report: &Path) -> Result<String, Failure> {
     let [reached, profile, ranks] = paths_of(report);
     let sweep = kept.sweep();
     let mut drawn = [false; 3];
@@ -45,7 +45,7 @@ pub fn draw(kept: &Kept, summary: &Summary, report: &Path) -> Result<String, Fai
         let names: Vec<String> =
             summary.scenes.first().map_or(&[] as &[_], |scene| &scene.groups).iter().map(|group| group.summary.name.clone()).collect();
         let cells = (0..sweep.scenes.len()).flat_map(|scene| (0..sweep.seeds()).map(move |seed| (scene, seed)));
-        let hit = |scene, seed, group| kept.told(sweep.cell_of(scene, group) * sweep.seeds() + seed).and_then(|told| told.reached);
+        let hit = |scene, seed, group| kept.statistics_of(sweep.cell_of(scene, group) * sweep.seeds() + seed).and_then(|told| told.reached);
         let costs: Vec<Vec<Option<f64>>> =
             cells.map(|(scene, seed)| (0..sweep.groups()).map(|group| hit(scene, seed, group)).collect()).collect();
         let times = Ranking { planners: names, costs };
@@ -79,7 +79,7 @@ fn draw_reached(times: &Ranking, path: &Path) -> Result<(), Failure> {
     let x = Axis::log("evaluations", hits.iter().flatten().copied());
     let ends = [x.range.start, x.range.end];
     let curves: Vec<Curve> =
-        times.planners.iter().zip(&hits).map(|(name, hits)| Curve::shares(name, hits, times.costs.len(), ends)).collect();
+        times.planners.iter().zip(&hits).map(|(name, hits)| Curve::ecdf(name, hits, times.costs.len(), ends)).collect();
     let y = Axis { title: "share of runs", range: 0.0..1.02, log: false };
     plot::draw(path, &x, &y, &curves, SeriesLabelPosition::UpperLeft)
 }

@@ -10,7 +10,10 @@ use serde::Serialize;
 use forage::{
     Overrides, Registry,
     kernel::ReferenceOptimum,
-    statistics::{Attempt, Comparison, Friedman, Group, GroupSummary, Pair, RunningTime, alike, comparable, compare, friedman, proportion},
+    statistics::{
+        Attempt, Comparison, Friedman, Group, GroupSummary, Pair, RunningTime, comparable, compare, friedman, homogeneous_groups,
+        proportion,
+    },
 };
 
 use super::{
@@ -22,21 +25,21 @@ use super::{
         table::{Cell, Table, p_is, probability, significant},
     },
     kept::Kept,
-    line::{Optimum, Told},
+    line::{Optimum, RunStatistics},
     plan::Pairs,
     text::value_text,
 };
 
-/// Between more than so many nobody reads a test of each two.
+/// With more groups than this, pairs are not tested.
 pub(super) const MOST_PAIRED: usize = 30;
-/// Whose runs take more than so many times the budget, is named.
+/// Planners with runs above this multiple of the budget are named.
 const OVER: f64 = 1.1;
 /// More than so many are not ranked: the time for it grows with their square.
 const MOST_RANKED: usize = 1000;
 
 /// The statistics of a sweep.
 #[derive(Debug, Serialize)]
-pub struct Summary {
+pub struct SweepStatistics {
     /// The sweep's name.
     pub name: String,
     /// Where the rows are.
@@ -47,7 +50,7 @@ pub struct Summary {
     /// How near to the exact optimum counts as reached.
     pub within: f64,
     /// Scene by scene.
-    pub scenes: Vec<OnScene>,
+    pub scenes: Vec<SceneStatistics>,
     /// Which of each scene's groups are ranked: those that draw lots.
     pub ranked: Vec<usize>,
     /// Their ranks over scenes and seeds. `None` of one, or of more than a thousand.
@@ -56,14 +59,14 @@ pub struct Summary {
 
 /// What there is to say of a scene.
 #[derive(Debug, Serialize)]
-pub struct OnScene {
+pub struct SceneStatistics {
     /// The scene's name.
     pub scene: String,
     /// After how many evaluations runs were stopped; `None`: after their own iterations.
     pub budget: Option<u64>,
     /// Planners and parameters.
-    pub groups: Vec<OfGroup>,
-    /// Each two of them that draw lots; the correction is for the scene's pairs. `None` of more than thirty groups.
+    pub groups: Vec<GroupStatistics>,
+    /// Every pair of the stochastic ones; the correction is for the scene's pairs. `None` of more than thirty groups.
     pub pairs: Option<Vec<Pair>>,
     #[serde(skip)]
     optimum: Optimum,
@@ -71,7 +74,7 @@ pub struct OnScene {
 
 /// What there is to say of a planner with some parameters.
 #[derive(Debug, Serialize)]
-pub struct OfGroup {
+pub struct GroupStatistics {
     /// The planner's name.
     pub planner: String,
     /// The parameters that the sweep sets.
@@ -80,7 +83,7 @@ pub struct OfGroup {
     pub evaluation: &'static str,
     /// How many evaluations its runs took: the median and the most.
     pub evaluations: [f64; 2],
-    /// Whether its runs differ at all: a test of what is the same each time says nothing.
+    /// Whether it is stochastic: deterministic planners give the same run for every seed, and are not tested.
     pub draws_lots: bool,
     /// Which optimum it is measured by; `None` where there is none.
     pub exact_by: Option<ReferenceOptimum>,
@@ -97,27 +100,27 @@ pub struct OfGroup {
     pub summary: GroupSummary,
 }
 
-impl Summary {
+impl SweepStatistics {
     /// Of rows that are all there.
     pub fn of(kept: &Kept) -> Self {
         let sweep = kept.sweep();
         let groups: Vec<usize> = (0..sweep.groups()).collect();
-        let told = |scene: usize, group: usize| -> Vec<Told> {
+        let told = |scene: usize, group: usize| -> Vec<RunStatistics> {
             let first = sweep.cell_of(scene, group) * sweep.seeds();
-            (first..first + sweep.seeds()).filter_map(|job| kept.told(job)).collect()
+            (first..first + sweep.seeds()).filter_map(|job| kept.statistics_of(job)).collect()
         };
-        let scenes = (0..sweep.scenes.len()).map(|scene| OnScene {
+        let scenes = (0..sweep.scenes.len()).map(|scene| SceneStatistics {
             scene: sweep.scenes[scene].name().to_owned(),
             budget: sweep.allowances[scene],
-            ..OnScene::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
+            ..SceneStatistics::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
         });
-        let scenes: Vec<OnScene> = scenes.collect();
+        let scenes: Vec<SceneStatistics> = scenes.collect();
         let draws = |group: &usize| scenes.iter().any(|scene| scene.groups[*group].draws_lots);
         let groups: Vec<usize> = groups.iter().copied().filter(draws).collect();
         let friedman = (2..=MOST_RANKED).contains(&groups.len()).then(|| {
             let mut blocks = Vec::with_capacity(sweep.scenes.len() * sweep.seeds());
             for scene in 0..sweep.scenes.len() {
-                let of_scene: Vec<Vec<Told>> = groups.iter().map(|&group| told(scene, group)).collect();
+                let of_scene: Vec<Vec<RunStatistics>> = groups.iter().map(|&group| told(scene, group)).collect();
                 let values: Vec<Vec<Option<f64>>> = of_scene.iter().map(|told| told.iter().map(|told| told.value).collect()).collect();
                 let ranked = comparable(values.iter().map(|values| &values[..]));
                 let block = |k: usize| ranked.iter().map(|values| values[k]).collect();
@@ -155,14 +158,18 @@ impl Summary {
         }
         let difference = friedman.critical_difference;
         if let Some(difference) = difference {
-            let _ = write!(title, "; they differ from {} on (Nemenyi, 5 %); those with a common group do not", significant(difference, 3));
+            let _ = write!(
+                title,
+                "; they differ significantly from {} on (Nemenyi, 5 %); planners that share a letter do not differ",
+                significant(difference, 3)
+            );
         }
-        let groups_alike = difference.map_or(Vec::new(), |difference| alike(&friedman.ranks, difference));
+        let groups_alike = difference.map_or(Vec::new(), |difference| homogeneous_groups(&friedman.ranks, difference));
         let mut table = Table::new("ranks", title, &["planner", "mean rank", "group"]);
-        let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
+        let groups = self.scenes.first().map_or(&[] as &[GroupStatistics], |scene| &scene.groups);
         let mut rows: Vec<_> = self.ranked.iter().map(|&group| &groups[group]).zip(friedman.ranks.iter().copied()).enumerate().collect();
         rows.sort_by(|a, b| a.1.1.total_cmp(&b.1.1));
-        let row = |(k, (group, rank)): (usize, (&OfGroup, f64))| {
+        let row = |(k, (group, rank)): (usize, (&GroupStatistics, f64))| {
             vec![group.summary.name.as_str().into(), shown(rank), letters(&groups_alike, k).into()]
         };
         table.rows = rows.into_iter().map(row).collect();
@@ -175,10 +182,10 @@ impl Summary {
         else {
             return Ok(false);
         };
-        let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
+        let groups = self.scenes.first().map_or(&[] as &[GroupStatistics], |scene| &scene.groups);
         let named = self.ranked.iter().map(|&group| groups[group].summary.name.clone());
         let ranked: Vec<Ranked> = named.zip(&friedman.ranks).map(|(name, &rank)| Ranked { name, rank }).collect();
-        plot::draw_ranks(path, &ranked, difference, &alike(&friedman.ranks, difference))?;
+        plot::draw_ranks(path, &ranked, difference, &homogeneous_groups(&friedman.ranks, difference))?;
         Ok(true)
     }
 
@@ -206,7 +213,7 @@ impl Summary {
     fn evaluations(&self) -> Option<String> {
         let scene = self.scenes.iter().find(|scene| scene.budget.is_some())?;
         let mut things: Vec<(&str, Vec<&str>)> = Vec::new();
-        for OfGroup { planner, evaluation, .. } in scene.groups.iter().filter(|group| !group.evaluation.is_empty()) {
+        for GroupStatistics { planner, evaluation, .. } in scene.groups.iter().filter(|group| !group.evaluation.is_empty()) {
             match things.iter_mut().find(|(thing, _)| thing == evaluation) {
                 Some((_, whose)) if whose.contains(&planner.as_str()) => {}
                 Some((_, whose)) => whose.push(planner),
@@ -228,7 +235,7 @@ impl Summary {
         let groups = self.scenes.first().map_or(0, |scene| scene.groups.len());
         let mut notes = Vec::new();
         notes.extend(self.evaluations());
-        notes.extend(self.scenes.iter().filter_map(OnScene::overspent));
+        notes.extend(self.scenes.iter().filter_map(SceneStatistics::overspent));
         for scene in &self.scenes {
             let names = scene.groups.iter().filter(|group| !group.draws_lots).map(|group| group.summary.name.as_str());
             let names: Vec<&str> = names.collect();
@@ -238,7 +245,7 @@ impl Summary {
             }
         }
         if groups > MOST_PAIRED {
-            notes.push(format!("No tests between {groups} planners and parameters: each two are tested up to {MOST_PAIRED}."));
+            notes.push(format!("No tests between {groups} planners and parameters: pairs are tested up to {MOST_PAIRED}."));
         }
         if groups > MOST_RANKED {
             notes.push(format!("No mean ranks: {groups} are more than {MOST_RANKED}."));
@@ -247,15 +254,15 @@ impl Summary {
     }
 }
 
-impl OnScene {
-    fn of(registry: &Registry, told: Vec<((&str, Pairs), Vec<Told>)>) -> Self {
+impl SceneStatistics {
+    fn of(registry: &Registry, told: Vec<((&str, Pairs), Vec<RunStatistics>)>) -> Self {
         let mut groups = Vec::with_capacity(told.len());
         let mut reached = Vec::with_capacity(told.len());
         let mut optimum = Optimum::None;
         let (_, common) = told.first().map_or(("", Vec::new()), |(group, _)| group.clone());
         let common: Vec<_> = common.into_iter().filter(|pair| told.iter().all(|((_, set), _)| set.contains(pair))).collect();
         for ((planner, parameters), runs) in told {
-            // What all have alike tells nobody apart.
+            // Parameters that all groups share are left out of their names.
             let set = parameters.iter().filter(|pair| !common.contains(pair));
             let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
             let parameters: Overrides = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
@@ -277,7 +284,7 @@ impl OnScene {
         };
         let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, evaluations, draws_lots, measured), summary)| {
             let time = measured.as_ref().and_then(|(_, _, runs)| RunningTime::of(runs.clone()));
-            OfGroup {
+            GroupStatistics {
                 evaluations,
                 evaluation: registry.planner(&planner).map_or("", |entry| entry.evaluation),
                 planner,
@@ -378,7 +385,7 @@ impl OnScene {
 
     /// How many runs came near enough to the optimum, and how soon, if there is one.
     fn times(&self) -> Option<Table> {
-        let measured: Vec<&OfGroup> = self.groups.iter().filter(|group| group.reached.is_some()).collect();
+        let measured: Vec<&GroupStatistics> = self.groups.iter().filter(|group| group.reached.is_some()).collect();
         if measured.is_empty() {
             return None;
         }
@@ -410,7 +417,7 @@ impl OnScene {
     /// The tests, if there are two to test.
     fn paired(&self) -> Option<Table> {
         let pairs = self.pairs.as_ref().filter(|pairs| !pairs.is_empty())?;
-        let title = format!("{}: Wilcoxon’s rank-sum test of each two; corrected for {} tests (Holm)", self.scene, pairs.len());
+        let title = format!("{}: Wilcoxon’s rank-sum test of every pair; corrected for {} tests (Holm)", self.scene, pairs.len());
         let mut table = Table::new(format!("{}-tests", self.scene), title, &["first", "second", "U", "p", "corrected p", "first better %"]);
         for Pair { first, second, u, p, corrected, better } in pairs {
             table.rows.push(vec![

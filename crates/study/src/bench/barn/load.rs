@@ -17,9 +17,9 @@ use super::{
     motion::Animation,
 };
 
-/// As run.py has it: where the robot sets out, and where it is to go, in the worlds that stand still.
-const STANDING: [[f64; 2]; 2] = [[-2.25, 3.0], [-2.25, 13.0]];
-/// The same in those that move.
+/// Start and goal in the static worlds, in metres, as in run.py.
+const STATIC: [[f64; 2]; 2] = [[-2.25, 3.0], [-2.25, 13.0]];
+/// Those in the worlds with moving obstacles.
 const MOVING: [[f64; 2]; 2] = [[11.0, 0.0], [-9.0, 0.0]];
 /// Seconds after which a run has failed.
 pub(super) const LIMIT: f64 = 100.0;
@@ -27,7 +27,7 @@ pub(super) const LIMIT: f64 = 100.0;
 pub(super) const FASTEST: f64 = 2.0;
 /// Half the width of the robot, a Jackal: the clearance with which the worlds' own paths were made.
 pub const RADIUS: f64 = 0.215;
-/// Seconds of a turn: half a right angle at the robot's rate, in round numbers.
+/// The time of a turn in place, in seconds: 45° at 1.57 rad/s, rounded.
 const TURN: f64 = 0.5;
 /// How far its laser sees, in metres.
 const SENSOR: f64 = 10.0;
@@ -35,7 +35,7 @@ const SENSOR: f64 = 10.0;
 const LOOK_AHEAD: f64 = 3.0;
 /// Safety margin to moving obstacles, in metres.
 const MARGIN: f64 = 0.2;
-/// The side of a cell, in metres: half of a cylinder of the worlds that stand still. Where things move, the robot fits into a cell.
+/// The side of a cell, in metres: half a cylinder of the static worlds. Among moving obstacles the robot fits into a cell.
 const CELLS: [f64; 2] = [0.075, 0.5];
 /// The first number of a world with moving obstacles.
 const MOVES: usize = 300;
@@ -52,9 +52,9 @@ pub struct World {
     pub number: usize,
     /// As a scene.
     pub grid: GridScene,
-    /// Cylinders that stand: their centres and radii.
+    /// Static cylinders: their centres and radii.
     pub cylinders: Vec<([f64; 2], f64)>,
-    /// The length of the way by which the challenge scores.
+    /// The length of the challenge's reference path, in metres.
     pub length: f64,
 }
 
@@ -160,10 +160,10 @@ fn standing(folder: &Path, number: usize, text: &str, radius: f64) -> Result<Wor
     let length = fs::read(&path).ok().and_then(|bytes| path_length(&bytes));
     let Some(length) = length else { return Err(format!("its path, {}, cannot be read", path.display())) };
     // A metre around all that stands, and around both ends.
-    let all = || blocked.iter().map(|(center, _)| *center).chain(STANDING);
+    let all = || blocked.iter().map(|(center, _)| *center).chain(STATIC);
     let low = [0, 1].map(|axis| all().map(|point| point[axis]).fold(f64::INFINITY, f64::min) - 1.0);
     let high = [0, 1].map(|axis| all().map(|point| point[axis]).fold(f64::NEG_INFINITY, f64::max) + 1.0);
-    let grid = grid(low, high, CELLS[0], &blocked, STANDING, radius);
+    let grid = grid(low, high, CELLS[0], &blocked, STATIC, radius);
     let cylinders = blocked.into_iter().map(|(center, own)| ([center[0] - low[0], center[1] - low[1]], own)).collect();
     Ok(World { set: "BARN", number, grid, cylinders, length })
 }
@@ -205,7 +205,7 @@ fn path_length(bytes: &[u8]) -> Option<f64> {
         let side = 2.0 * CYLINDER;
         [entry(row, 0) * side - CYLINDER - 30.0 * side, entry(row, 1) * side + CYLINDER + 5.0]
     };
-    let points: Vec<[f64; 2]> = [STANDING[0]].into_iter().chain((0..count).map(point)).chain([STANDING[1]]).collect();
+    let points: Vec<[f64; 2]> = [STATIC[0]].into_iter().chain((0..count).map(point)).chain([STATIC[1]]).collect();
     Some(along(&points))
 }
 

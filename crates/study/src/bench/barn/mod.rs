@@ -29,7 +29,7 @@ use self::{
 };
 use super::{
     super::{failure::Failure, runner::Job, table::Table},
-    suite::{Attempt, Contender, Suite, check_count},
+    suite::{Contender, Suite, SuiteJob, check_count},
 };
 
 pub use load::RADIUS;
@@ -71,7 +71,7 @@ impl Plan {
         let (worlds, notes) = worlds(folder, radius)?;
         let worlds: Vec<_> = worlds.into_iter().filter(|world| world.number % every.max(1) == 0).map(Arc::new).collect();
         if worlds.is_empty() {
-            let allowed = Message::verbatim("such that a world is left; their numbers begin with 0");
+            let allowed = Message::verbatim("a divisor of the number of at least one world");
             return Err(Error::refused("--every", every, allowed).into());
         }
         Ok(Self { folder: folder.to_owned(), worlds, notes, radius })
@@ -79,15 +79,15 @@ impl Plan {
 }
 
 impl Suite for Plan {
-    type Attempt = Task;
+    type Task = Task;
 
     const NAME: &'static str = "barn";
 
-    fn everyone(registry: &Registry) -> Vec<Contender> {
+    fn all_planners(registry: &Registry) -> Vec<Contender> {
         registry.planners().iter().filter(|entry| entry.family == FAMILY).map(|entry| Contender::new(entry.name)).collect()
     }
 
-    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+    fn jobs(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
         check_count(self.worlds.len().saturating_mul(contenders.len()))?;
         let mut all = Vec::new();
         for contender in contenders {
@@ -229,7 +229,7 @@ impl Task {
         let gone = length(&track.iter().map(|&[x, y, _]| [x, y]).collect::<Vec<_>>());
         Ok(Some(Row {
             planner: self.contender.planner.clone(),
-            params: self.contender.set(),
+            params: self.contender.overrides_text(),
             set: self.world.set.to_owned(),
             world: self.world.number,
             radius: self.radius,
@@ -272,7 +272,7 @@ impl Job for Task {
     }
 }
 
-impl Attempt for Task {
+impl SuiteJob for Task {
     fn contender(&self) -> &Contender {
         &self.contender
     }

@@ -19,6 +19,7 @@ const JUMP: f64 = 1e-3;
 /// An animation, which begins again when it is over.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Animation {
+    /// Its period, in seconds.
     pub length: f64,
     /// Time, x, y.
     pub frames: Vec<[f64; 3]>,

@@ -18,7 +18,7 @@ use super::{
             failure::{Failure, at},
             table::{Cell, Table},
         },
-        suite::{distinct, empty},
+        suite::{distinct, recreate_folder, safe_file_name},
     },
     row::{Row, score},
 };
@@ -134,9 +134,9 @@ pub(super) fn table(rows: &[Row], folder: &Path) -> Table {
 /// Writes the report and, for each planner, the file that `report_test.py` reads.
 pub(super) fn write(rows: &[Row], data: &Path, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let logs = folder.join("challenge");
-    empty(&logs)?;
+    recreate_folder(&logs)?;
     for contender in distinct(rows.iter().map(Row::contender)) {
-        let file = logs.join(format!("{}.txt", contender.replace(|c: char| !(c.is_alphanumeric() || c == '-'), "_")));
+        let file = logs.join(format!("{}.txt", safe_file_name(&contender)));
         let mut text = String::new();
         for row in rows.iter().filter(|row| row.contender() == contender && row.world < BARN && row.world % EVERY == 0) {
             let flag = u8::from;

@@ -1,9 +1,9 @@
-//! What a robot's run through a world came to.
+//! The result of a robot's run through a world.
 
 use serde::{Deserialize, Serialize};
 
 use super::{
-    super::{super::rows::Row as Kept, suite::named},
+    super::{super::rows::KeyedRow, suite::planner_label},
     load::FASTEST,
 };
 
@@ -13,12 +13,12 @@ pub(super) fn score(success: bool, best: f64, time: f64) -> f64 {
     if success { best / time.clamp(2.0 * best, 8.0 * best) } else { 0.0 }
 }
 
-/// What it came to.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The planner.
     pub planner: String,
-    /// What was set of it.
+    /// Parameters that differ from the defaults.
     pub params: String,
     /// `BARN` or `DynaBARN`.
     pub set: String,
@@ -38,9 +38,9 @@ pub struct Row {
     pub time: f64,
     /// How far it went, in metres.
     pub length: f64,
-    /// The smallest distance between its rim and a cylinder that stands, in metres.
+    /// The smallest distance between its rim and a static cylinder, in metres.
     pub clearance: Option<f64>,
-    /// The length of the way by which the score has the best time.
+    /// The length of the challenge's reference path, in metres.
     pub best: f64,
     /// The challenge's score.
     pub score: f64,
@@ -49,13 +49,13 @@ pub struct Row {
 }
 
 impl Row {
-    /// What tells planners apart, with what is set of them.
+    /// The planner with its overrides.
     pub(super) fn contender(&self) -> String {
-        named(&self.planner, &self.params)
+        planner_label(&self.planner, &self.params)
     }
 }
 
-impl Kept for Row {
+impl KeyedRow for Row {
     fn key(&self) -> String {
         key(&self.contender(), self.world, self.seed, self.radius)
     }

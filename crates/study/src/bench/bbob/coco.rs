@@ -7,6 +7,7 @@ use forage::{math, scene::FunctionScene};
 use super::{
     super::{
         super::failure::{Failure, at},
+        suite::safe_file_name,
         targets,
     },
     row::Row,
@@ -71,11 +72,6 @@ fn by_evaluations(improvements: &[(u64, f64)], dimension: usize, end: u64, minim
     }
 }
 
-/// A planner’s name as part of a file’s name.
-pub(super) fn file_name(contender: &str) -> String {
-    contender.chars().map(|c| if c.is_ascii_alphanumeric() || ".-_=".contains(c) { c } else { '_' }).collect()
-}
-
 /// Writes a folder for each planner.
 pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
     let mut infos: BTreeMap<(String, usize), String> = BTreeMap::new();
@@ -84,7 +80,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         groups.entry((row.contender(), row.function, row.dimension)).or_default().push(row);
     }
     for ((contender, function, dimension), rows) in groups {
-        let own = folder.join(file_name(&contender));
+        let own = folder.join(safe_file_name(&contender));
         let data = format!("data_f{function}");
         let stem = format!("bbobexp_f{function}_DIM{dimension}");
         fs::create_dir_all(own.join(&data)).map_err(at(&own))?;
@@ -116,7 +112,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         }
     }
     for ((contender, function), info) in infos {
-        let path = folder.join(file_name(&contender)).join(format!("bbobexp_f{function}.info"));
+        let path = folder.join(safe_file_name(&contender)).join(format!("bbobexp_f{function}.info"));
         fs::write(&path, info).map_err(at(&path))?;
     }
     Ok(())

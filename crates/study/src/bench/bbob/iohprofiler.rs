@@ -5,8 +5,10 @@ use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
 use serde_json::{Value, json};
 
 use super::{
-    super::super::failure::{Failure, at},
-    coco::file_name,
+    super::{
+        super::failure::{Failure, at},
+        suite::safe_file_name,
+    },
     row::{Row, TITLES},
 };
 
@@ -20,7 +22,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         functions.entry((row.contender(), row.function)).or_default().entry(row.dimension).or_default().push(row);
     }
     for ((contender, function), dimensions) in functions {
-        let own = folder.join(file_name(&contender));
+        let own = folder.join(safe_file_name(&contender));
         let title = TITLES[function - 1];
         let data = format!("data_f{function}_{title}");
         fs::create_dir_all(own.join(&data)).map_err(at(&own))?;

@@ -14,7 +14,7 @@ use self::row::key;
 use super::{
     super::{failure::Failure, runner::Job, table::Table},
     minimise::Minimisation,
-    suite::{Attempt, Contender, Suite, check_count, empty},
+    suite::{Contender, Suite, SuiteJob, check_count, recreate_folder},
 };
 use forage::{
     Error, Registry,
@@ -55,16 +55,16 @@ pub struct Task {
 }
 
 impl Suite for Plan {
-    type Attempt = Task;
+    type Task = Task;
 
     const NAME: &'static str = "bbob";
 
-    fn everyone(registry: &Registry) -> Vec<Contender> {
+    fn all_planners(registry: &Registry) -> Vec<Contender> {
         let planners = registry.planners().iter().filter(|entry| entry.kinds.contains(&FUNCTION));
         planners.map(|entry| Contender::new(entry.name)).collect()
     }
 
-    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+    fn jobs(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
         let sizes = [self.functions.len(), self.dimensions.len(), self.instances.len()];
         check_count(sizes.into_iter().fold(contenders.len(), usize::saturating_mul))?;
         // One function says it for all.
@@ -77,9 +77,9 @@ impl Suite for Plan {
 
     fn write(&self, rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         let [coco, iohprofiler] = ["coco", "iohprofiler"].map(|name| folder.join(name));
-        empty(&coco)?;
+        recreate_folder(&coco)?;
         coco::write(rows, &coco)?;
-        empty(&iohprofiler)?;
+        recreate_folder(&iohprofiler)?;
         iohprofiler::write(rows, &iohprofiler)?;
         report::write(rows, folder)
     }
@@ -137,7 +137,7 @@ impl Job for Task {
         let convergence = self.minimisation(&self.name()).run(known, stop)?;
         Ok(convergence.map(|convergence| Row {
             planner: self.contender.planner.clone(),
-            params: self.contender.set(),
+            params: self.contender.overrides_text(),
             function: self.function,
             dimension: self.dimension,
             instance: self.instance,
@@ -149,7 +149,7 @@ impl Job for Task {
     }
 }
 
-impl Attempt for Task {
+impl SuiteJob for Task {
     fn contender(&self) -> &Contender {
         &self.contender
     }

@@ -32,14 +32,14 @@ fn sorted(of: impl Iterator<Item = usize>) -> Vec<usize> {
     of.collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// After how many evaluations a variable each target was reached, of all runs: those that were.
+/// The running times to all targets that were hit, in evaluations / D and in order, and the number of targets.
 fn times<'a>(rows: impl Iterator<Item = &'a Row>) -> (Vec<f64>, usize) {
     let (mut reached, mut all) = (Vec::new(), 0);
     for row in rows {
         let improvements = row.improvements();
-        let hits = (0..targets::ALL).filter_map(|k| targets::hit(&improvements, targets::target(k)));
+        let hits = (0..targets::COUNT).filter_map(|k| targets::hitting_time(&improvements, targets::target(k)));
         reached.extend(hits.map(|at| at as f64 / row.dimension as f64));
-        all += targets::ALL;
+        all += targets::COUNT;
     }
     reached.sort_by(f64::total_cmp);
     (reached, all)
@@ -47,7 +47,8 @@ fn times<'a>(rows: impl Iterator<Item = &'a Row>) -> (Vec<f64>, usize) {
 
 /// How runs went towards a target.
 fn attempts<'a>(rows: impl Iterator<Item = &'a Row>, level: f64) -> Vec<Attempt> {
-    let attempt = |row: &Row| Attempt { hit: targets::hit(&row.improvements(), level).map(|at| at as f64), spent: row.evaluations as f64 };
+    let attempt =
+        |row: &Row| Attempt { hit: targets::hitting_time(&row.improvements(), level).map(|at| at as f64), spent: row.evaluations as f64 };
     rows.map(attempt).collect()
 }
 
@@ -140,7 +141,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         rows.len(),
         budget.join(" or "),
         targets::FINAL,
-        targets::ALL,
+        targets::COUNT,
         targets::FINAL,
     );
     let tables = [shares(rows)].into_iter().chain(sorted(rows.iter().map(|row| row.dimension)).into_iter().map(|d| running_times(rows, d)));
@@ -170,7 +171,7 @@ fn draw(path: &Path, rows: &[Row]) -> Result<(), Failure> {
     let y = Axis { title: "share of targets", range: 0.0..1.0, log: false };
     let curve = |contender: String| {
         let (reached, all) = times(rows.iter().filter(|row| row.contender() == contender));
-        Curve::shares(&contender, &reached, all, [0.1, most])
+        Curve::ecdf(&contender, &reached, all, [0.1, most])
     };
     plot::draw(path, &x, &y, &contenders(rows).into_iter().map(curve).collect::<Vec<_>>(), SeriesLabelPosition::UpperLeft)
 }

@@ -1,9 +1,9 @@
-//! What a run on a function of the suite `bbob` came to.
+//! The result of a run on a function of the suite `bbob`.
 
 use forage::scene::function::BBOB_FUNCTIONS;
 use serde::{Deserialize, Serialize};
 
-use super::super::{super::rows::Row as Kept, suite::named};
+use super::super::{super::rows::KeyedRow, suite::planner_label};
 
 /// What the functions are called, by number.
 pub const TITLES: [&str; BBOB_FUNCTIONS] = [
@@ -33,7 +33,7 @@ pub const TITLES: [&str; BBOB_FUNCTIONS] = [
     "LunacekBiRastrigin",
 ];
 
-/// What it came to.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The planner.
@@ -46,7 +46,7 @@ pub struct Row {
     pub dimension: usize,
     /// The instance, which is the seed, too.
     pub instance: usize,
-    /// How many evaluations there could be.
+    /// The budget of evaluations.
     pub budget: u64,
     /// How many there were: fewer where it was solved or the planner came to its end.
     pub evaluations: u64,
@@ -63,13 +63,13 @@ impl Row {
         self.improvements.split(' ').filter_map(pair).collect()
     }
 
-    /// What tells planners apart, with what is set of them.
+    /// The planner with its overrides.
     pub(super) fn contender(&self) -> String {
-        named(&self.planner, &self.params)
+        planner_label(&self.planner, &self.params)
     }
 }
 
-impl Kept for Row {
+impl KeyedRow for Row {
     fn key(&self) -> String {
         key(&self.contender(), self.function, self.dimension, self.instance, self.budget)
     }

@@ -1,4 +1,4 @@
-//! How much farther from the minimum a planner is on one form than on another.
+//! How much larger a planner's gap is on one form of a function than on another.
 
 use std::collections::BTreeMap;
 
@@ -38,7 +38,7 @@ fn mean(groups: &[Vec<f64>]) -> f64 {
     math::pow(10.0, means.sum::<f64>() / groups.len() as f64)
 }
 
-/// How many times farther from the minimum these runs of a planner are on a form than on the centred one, on average over the evaluations.
+/// The geometric mean of these runs' gap on a form divided by that on the centred form.
 pub(super) fn ratio(rows: &[&Row], form: Form) -> Option<Ratio> {
     let groups = differences(rows, form);
     if groups.is_empty() {

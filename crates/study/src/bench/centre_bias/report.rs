@@ -1,4 +1,4 @@
-//! How much each planner owes to the middle: a table, a report with a picture, and the ratios as a file.
+//! Each planner's centre bias: a table, a report with a plot, and the ratios as CSV.
 
 use std::{
     fmt::Write as _,

@@ -1,18 +1,18 @@
-//! What a run on a form of a function came to.
+//! The result of a run on a form of a function.
 
 use serde::{Deserialize, Serialize};
 
 use super::{
-    super::{super::rows::Row as Kept, suite::named},
+    super::{super::rows::KeyedRow, suite::planner_label},
     form::Form,
 };
 
-/// What it came to.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The planner.
     pub planner: String,
-    /// What was set of it.
+    /// Parameters that differ from the defaults.
     pub params: String,
     /// The function.
     pub function: String,
@@ -22,24 +22,24 @@ pub struct Row {
     pub form: Form,
     /// Where the minimum was moved to and how the axes were turned; the seed, too.
     pub instance: u64,
-    /// How many evaluations there could be.
+    /// The budget of evaluations.
     pub budget: u64,
     /// How many there were.
     pub evaluations: u64,
     /// How far above the minimum the best was in the end.
     pub gap: f64,
-    /// The common logarithm of that, averaged over the evaluations.
+    /// The mean over the run of log10 of the gap.
     pub level: f64,
 }
 
 impl Row {
-    /// What tells planners apart, with what is set of them.
+    /// The planner with its overrides.
     pub(super) fn contender(&self) -> String {
-        named(&self.planner, &self.params)
+        planner_label(&self.planner, &self.params)
     }
 }
 
-impl Kept for Row {
+impl KeyedRow for Row {
     fn key(&self) -> String {
         key(&self.contender(), &self.function, self.dimension, self.form, self.instance, self.budget)
     }

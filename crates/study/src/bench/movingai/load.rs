@@ -2,7 +2,6 @@
 
 use std::{
     collections::{BTreeMap, VecDeque},
-    fs,
     path::{Path, PathBuf},
     sync::{Arc, Mutex, PoisonError},
 };
@@ -14,15 +13,15 @@ use forage_formats::{
 };
 
 use super::super::{
-    super::failure::{Failure, at},
-    suite::files_in,
+    super::failure::Failure,
+    suite::{files_in, read_named},
 };
 
 /// So many maps are in memory at once: problems of one map are run one after the other.
 const KEPT: usize = 4;
 
 /// The problems of a `.scen` file that can be run.
-pub(super) struct Set {
+pub(super) struct Scenario {
     /// The file's name within the folder.
     pub name: String,
     /// Its map, by the place in the list.
@@ -34,8 +33,8 @@ pub(super) struct Set {
 }
 
 /// All that is in a folder.
-pub(super) struct Worlds {
-    pub sets: Vec<Set>,
+pub(super) struct ScenarioFolder {
+    pub scenarios: Vec<Scenario>,
     /// What is not run, and why.
     pub notes: Vec<String>,
     maps: Vec<PathBuf>,
@@ -43,12 +42,8 @@ pub(super) struct Worlds {
     recent: Mutex<VecDeque<(usize, Arc<GridScene>)>>,
 }
 
-fn read(path: &Path) -> Result<NamedFile, Failure> {
-    Ok(NamedFile::new(path.to_string_lossy(), fs::read(path).map_err(at(path))?))
-}
-
 fn map(path: &Path) -> Result<GridScene, Failure> {
-    Ok(movingai::read_map(&read(path)?, &mut Vec::new())?)
+    Ok(movingai::read_map(&read_named(path)?, &mut Vec::new())?)
 }
 
 /// The map of this name: next to the file, or wherever it is in the folder.
@@ -61,40 +56,40 @@ fn find<'a>(name: &str, scen: &Path, maps: &'a [PathBuf]) -> Option<&'a PathBuf>
     beside.or_else(|| same.clone().find(|path| path.ends_with(name))).or_else(|| same.next())
 }
 
-impl Worlds {
+impl ScenarioFolder {
     pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
         let (scens, maps) = (files_in(folder, "scen")?, files_in(folder, "map")?);
-        let mut worlds = Self { sets: Vec::new(), notes: Vec::new(), maps, recent: Mutex::default() };
+        let mut found = Self { scenarios: Vec::new(), notes: Vec::new(), maps, recent: Mutex::default() };
         let mut by_map: BTreeMap<usize, Vec<(String, NamedFile)>> = BTreeMap::new();
         for path in &scens {
-            let file = read(path)?;
+            let file = read_named(path)?;
             let name = path.strip_prefix(folder).unwrap_or(path).to_string_lossy().replace('\\', "/");
             let named = movingai::map_of(&file)?.to_owned();
-            match find(&named, path, &worlds.maps).and_then(|map| worlds.maps.iter().position(|one| one == map)) {
+            match find(&named, path, &found.maps).and_then(|map| found.maps.iter().position(|one| one == map)) {
                 Some(map) => by_map.entry(map).or_default().push((name, file)),
-                None => worlds.notes.push(format!("{name} is not run: its map {named} is not in the folder")),
+                None => found.notes.push(format!("{name} is not run: its map {named} is not in the folder")),
             }
         }
         for (index, files) in by_map {
-            let map = map(&worlds.maps[index])?;
+            let map = map(&found.maps[index])?;
             for (name, file) in files {
-                let set = worlds.set(&map, index, name, &file)?;
-                worlds.sets.push(set);
+                let scenario = found.scenario(&map, index, name, &file)?;
+                found.scenarios.push(scenario);
             }
         }
-        worlds.sets.sort_by(|a, b| a.name.cmp(&b.name));
-        if worlds.sets.iter().all(|set| set.problems.is_empty()) {
-            let problem = match worlds.notes.first() {
+        found.scenarios.sort_by(|a, b| a.name.cmp(&b.name));
+        if found.scenarios.iter().all(|scenario| scenario.problems.is_empty()) {
+            let problem = match found.notes.first() {
                 None => "no .scen file is in the folder".to_owned(),
                 Some(first) => format!("no problem can be run: {first}"),
             };
             return Err(Error::malformed(&folder.display().to_string(), Message::verbatim(problem)).into());
         }
-        Ok(worlds)
+        Ok(found)
     }
 
     /// The problems of a file. Those that begin or end in a blocked cell, or where they begin, are noted.
-    fn set(&mut self, map: &GridScene, index: usize, name: String, file: &NamedFile) -> Result<Set, Failure> {
+    fn scenario(&mut self, map: &GridScene, index: usize, name: String, file: &NamedFile) -> Result<Scenario, Failure> {
         let (lines, _) = movingai::read_scen(file, [map.columns, map.rows()])?;
         let all = lines.len();
         let is_blocked = |[x, y]: [f64; 2]| map.blocked[y as usize * map.columns + x as usize];
@@ -106,7 +101,7 @@ impl Worlds {
                 "{left} of {all} problems of {name} are not run: they begin or end in blocked cells (W is one), or start and goal are the same cell"
             ));
         }
-        Ok(Set { name, map: index, cells: map.blocked.len() as u64, problems })
+        Ok(Scenario { name, map: index, cells: map.blocked.len() as u64, problems })
     }
 
     /// A map.

@@ -23,15 +23,15 @@ use forage_formats::movingai::Problem;
 
 pub use row::Row;
 
-use self::{load::Worlds, row::key};
+use self::{load::ScenarioFolder, row::key};
 use super::{
     super::{failure::Failure, runner::Job, table::Table},
-    suite::{Attempt, Contender, Suite, check_count},
+    suite::{Contender, Suite, SuiteJob, check_count},
 };
 
 /// The problems of a folder.
 pub struct Plan {
-    worlds: Arc<Worlds>,
+    folder: Arc<ScenarioFolder>,
     /// Of each bucket of a file the first so many; `None`: all.
     per_bucket: Option<usize>,
 }
@@ -40,7 +40,7 @@ pub struct Plan {
 #[derive(Clone)]
 pub struct Task {
     registry: Arc<Registry>,
-    worlds: Arc<Worlds>,
+    folder: Arc<ScenarioFolder>,
     contender: Arc<Contender>,
     /// The file of problems, and the problem in it, from 0.
     at: [usize; 2],
@@ -52,15 +52,15 @@ impl Plan {
     /// # Errors
     /// A folder without a problem that has its map; a file that cannot be read.
     pub fn read(folder: &Path, per_bucket: Option<usize>) -> Result<Self, Failure> {
-        Ok(Self { worlds: Arc::new(Worlds::read(folder)?), per_bucket })
+        Ok(Self { folder: Arc::new(ScenarioFolder::read(folder)?), per_bucket })
     }
 
     /// File and number of each problem that is run.
     fn chosen(&self) -> Vec<[usize; 2]> {
         let mut all = Vec::new();
-        for (file, set) in self.worlds.sets.iter().enumerate() {
+        for (file, scenario) in self.folder.scenarios.iter().enumerate() {
             let mut taken: BTreeMap<u64, usize> = BTreeMap::new();
-            for &(number, problem) in &set.problems {
+            for &(number, problem) in &scenario.problems {
                 let taken = taken.entry(problem.bucket()).or_default();
                 *taken += 1;
                 if self.per_bucket.is_none_or(|most| *taken <= most) {
@@ -73,27 +73,27 @@ impl Plan {
 }
 
 impl Suite for Plan {
-    type Attempt = Task;
+    type Task = Task;
 
     const NAME: &'static str = "movingai";
 
-    fn everyone(registry: &Registry) -> Vec<Contender> {
+    fn all_planners(registry: &Registry) -> Vec<Contender> {
         let planners = registry.planners().iter().filter(|entry| entry.kinds.contains(&GRID) && !entry.stops);
         planners.map(|entry| Contender::new(entry.name)).collect()
     }
 
     /// The families that have an exact planner: they are fast enough for thousands of problems.
-    fn usual(registry: &Registry) -> Vec<Contender> {
+    fn default_planners(registry: &Registry) -> Vec<Contender> {
         let is_exact = |contender: &Contender| {
             let entry = registry.planner(&contender.planner).ok()?;
             Some((entry.family, (entry.exact)(&entry.configure(GRID, &contender.params).ok()?)))
         };
-        let everyone = Self::everyone(registry);
-        let families: Vec<&str> = everyone.iter().filter_map(is_exact).filter(|(_, exact)| *exact).map(|(family, _)| family).collect();
-        everyone.into_iter().filter(|contender| is_exact(contender).is_some_and(|(family, _)| families.contains(&family))).collect()
+        let all_planners = Self::all_planners(registry);
+        let families: Vec<&str> = all_planners.iter().filter_map(is_exact).filter(|(_, exact)| *exact).map(|(family, _)| family).collect();
+        all_planners.into_iter().filter(|contender| is_exact(contender).is_some_and(|(family, _)| families.contains(&family))).collect()
     }
 
-    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+    fn jobs(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
         let chosen = self.chosen();
         check_count(chosen.len().saturating_mul(contenders.len()))?;
         let mut all = Vec::new();
@@ -101,7 +101,7 @@ impl Suite for Plan {
             let contender = Arc::new(contender.clone());
             all.extend(chosen.iter().map(|&at| Task {
                 registry: Arc::clone(registry),
-                worlds: Arc::clone(&self.worlds),
+                folder: Arc::clone(&self.folder),
                 contender: Arc::clone(&contender),
                 at,
             }));
@@ -126,23 +126,23 @@ impl Suite for Plan {
     }
 
     fn notes(&self) -> &[String] {
-        &self.worlds.notes
+        &self.folder.notes
     }
 }
 
 impl Task {
     fn problem(&self) -> Problem {
         let [file, number] = self.at;
-        let problems = &self.worlds.sets[file].problems;
+        let problems = &self.folder.scenarios[file].problems;
         problems[problems.partition_point(|(at, _)| *at < number)].1
     }
 
     fn setup(&self) -> Result<Setup, Error> {
         let [file, number] = self.at;
-        let set = &self.worlds.sets[file];
+        let scenario = &self.folder.scenarios[file];
         let Problem { start, goal, .. } = self.problem();
-        let map: Arc<GridScene> = self.worlds.map(set.map)?;
-        let name = format!("{} {number}", set.name);
+        let map: Arc<GridScene> = self.folder.map(scenario.map)?;
+        let name = format!("{} {number}", scenario.name);
         let scene = grid::KIND.scene(Header::named(&name, &name), map.with_ends([start, goal]))?;
         let Contender { planner, params } = (*self.contender).clone();
         Ok(Setup { planner, scene: Arc::new(scene), params, seed: number as u64 + 1 })
@@ -150,7 +150,7 @@ impl Task {
 
     fn carry_out(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
         let [file, number] = self.at;
-        let set = &self.worlds.sets[file];
+        let scenario = &self.folder.scenarios[file];
         let problem = self.problem();
         let setup = self.setup()?;
         let scene = Arc::clone(&setup.scene);
@@ -169,8 +169,8 @@ impl Task {
         let length = verdict.filter(|verdict| verdict.feasible).and_then(|verdict| verdict.length);
         Ok(Some(Row {
             planner: self.contender.planner.clone(),
-            params: self.contender.set(),
-            file: set.name.clone(),
+            params: self.contender.overrides_text(),
+            file: scenario.name.clone(),
             problem: number,
             bucket: problem.bucket(),
             optimum: problem.length,
@@ -187,11 +187,11 @@ impl Job for Task {
     type Row = Row;
 
     fn key(&self) -> String {
-        key(&self.contender.name(), &self.worlds.sets[self.at[0]].name, self.at[1])
+        key(&self.contender.name(), &self.folder.scenarios[self.at[0]].name, self.at[1])
     }
 
     fn weight(&self) -> u64 {
-        self.worlds.sets[self.at[0]].cells
+        self.folder.scenarios[self.at[0]].cells
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
@@ -199,7 +199,7 @@ impl Job for Task {
     }
 }
 
-impl Attempt for Task {
+impl SuiteJob for Task {
     fn contender(&self) -> &Contender {
         &self.contender
     }

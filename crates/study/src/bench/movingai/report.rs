@@ -28,7 +28,7 @@ const BANDS: u64 = 10;
 const DRAWN: u64 = 40;
 
 /// What rows have in common.
-struct Group {
+struct Aggregate {
     problems: usize,
     found: usize,
     optimal: usize,
@@ -37,7 +37,7 @@ struct Group {
     evaluations: Option<Summary>,
 }
 
-impl Group {
+impl Aggregate {
     fn of<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
         let rows: Vec<&Row> = rows.collect();
         Self {
@@ -75,14 +75,14 @@ pub(super) fn planners(rows: &[Row]) -> Table {
     let columns: Vec<&str> = ["planner"].into_iter().chain(COLUMNS).collect();
     let mut table = Table::new("movingai", "Against the optima of the files", &columns);
     for contender in contenders(rows) {
-        let group = Group::of(rows.iter().filter(|row| row.contender() == contender));
+        let group = Aggregate::of(rows.iter().filter(|row| row.contender() == contender));
         table.rows.push([Cell::Text(contender)].into_iter().chain(group.cells()).collect());
     }
     table
 }
 
 /// A planner's groups, with the first bucket and the last one of each.
-type Banded = (String, Vec<([u64; 2], Group)>);
+type Banded = (String, Vec<([u64; 2], Aggregate)>);
 
 /// The rows of each planner by bands of buckets: so many at most, with the first bucket and the last one of each.
 fn by_band(rows: &[Row], bands: u64) -> Vec<Banded> {
@@ -94,7 +94,7 @@ fn by_band(rows: &[Row], bands: u64) -> Vec<Banded> {
             bands.entry(row.bucket / width).or_default().push(row);
         }
         let ends = |band: u64| [band * width, (band * width).saturating_add(width - 1).min(most)];
-        let groups = bands.into_iter().map(|(band, own)| (ends(band), Group::of(own.into_iter())));
+        let groups = bands.into_iter().map(|(band, own)| (ends(band), Aggregate::of(own.into_iter())));
         (contender, groups.collect())
     };
     contenders(rows).into_iter().map(of).collect()
@@ -114,7 +114,7 @@ fn table(rows: &[Row], name: &str, title: &str, bands: u64) -> Table {
 }
 
 /// A quantity of the groups over the buckets.
-fn curves(rows: &[Row], of: impl Fn(&Group) -> Option<f64>) -> Vec<Curve> {
+fn curves(rows: &[Row], of: impl Fn(&Aggregate) -> Option<f64>) -> Vec<Curve> {
     let curve = |(name, groups): Banded| {
         let points = groups.iter().filter_map(|([from, to], group)| Some((f64::midpoint(*from as f64, *to as f64), of(group)?)));
         Curve { name, points: points.collect() }

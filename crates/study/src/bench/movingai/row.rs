@@ -1,20 +1,20 @@
-//! What a run on a problem came to.
+//! The result of a run on a problem.
 
 use serde::{Deserialize, Serialize};
 
-use super::super::{super::rows::Row as Kept, suite::named};
+use super::super::{super::rows::KeyedRow, suite::planner_label};
 
 /// How far a length may be from the file's optimum and still be it.
 pub(super) const TOLERANCE: f64 = 1e-4;
 /// The same as a share of an optimum that is given with six digits, as in older files: half a unit of the last one, or more.
 const SIX_DIGITS: f64 = 5e-6;
 
-/// What it came to.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The planner.
     pub planner: String,
-    /// What was set of it.
+    /// Parameters that differ from the defaults.
     pub params: String,
     /// The file of problems, within the folder.
     pub file: String,
@@ -42,9 +42,9 @@ impl Row {
         self.length.filter(|_| self.optimum > 0.0).map(|length| length / self.optimum - 1.0)
     }
 
-    /// What tells planners apart, with what is set of them.
+    /// The planner with its overrides.
     pub(super) fn contender(&self) -> String {
-        named(&self.planner, &self.params)
+        planner_label(&self.planner, &self.params)
     }
 
     /// Whether the length is the optimum, as far as the file's digits tell.
@@ -66,7 +66,7 @@ impl Row {
     }
 }
 
-impl Kept for Row {
+impl KeyedRow for Row {
     fn key(&self) -> String {
         key(&self.contender(), &self.file, self.problem)
     }

@@ -14,7 +14,7 @@ use forage::Scene;
 use super::{
     super::{
         super::failure::{Failure, at},
-        suite::{distinct, empty},
+        suite::{distinct, recreate_folder, safe_file_name},
     },
     row::Row,
 };
@@ -36,11 +36,11 @@ const PROGRESS: [&str; 3] = ["time REAL", "evaluations INTEGER", "best cost REAL
 
 /// Writes a log for each scene, and the scene beside it, for scripts that run other planners there.
 pub(super) fn write(rows: &[Row], scenes: &[Arc<Scene>], budget: u64, folder: &Path) -> Result<PathBuf, Failure> {
-    empty(folder)?;
+    recreate_folder(folder)?;
     for scene in scenes {
         let own: Vec<&Row> = rows.iter().filter(|row| row.scene == scene.name()).collect();
         if !own.is_empty() {
-            let name = file_name(scene);
+            let name = safe_file_name(scene.name());
             let file = folder.join(format!("{name}.log"));
             fs::write(&file, log(&own, scene, budget)).map_err(at(&file))?;
             let file = folder.join(format!("{name}.json"));
@@ -48,11 +48,6 @@ pub(super) fn write(rows: &[Row], scenes: &[Arc<Scene>], budget: u64, folder: &P
         }
     }
     Ok(folder.to_owned())
-}
-
-/// The name of a scene's files.
-pub(super) fn file_name(scene: &Scene) -> String {
-    scene.name().chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect()
 }
 
 fn log(rows: &[&Row], scene: &Scene, budget: u64) -> String {

@@ -24,9 +24,9 @@ use super::{
         failure::Failure,
         runner::Job,
         table::Table,
-        within::{Reached, within},
+        within::{RunEnd, run_within_budget},
     },
-    suite::{Attempt, Contender, Suite, check_count},
+    suite::{Contender, Suite, SuiteJob, check_count, safe_file_name},
 };
 
 pub use row::Row;
@@ -65,8 +65,8 @@ impl Plan {
             scenes = registry.scenes().iter().filter(|scene| [DISCS, GRID, ARM].contains(&scene.kind())).cloned().collect();
         }
         for (k, scene) in scenes.iter().enumerate() {
-            if scenes[..k].iter().any(|other| log::file_name(other) == log::file_name(scene)) {
-                let allowed = Message::verbatim("another name than that of the other scenes: files are named by it");
+            if scenes[..k].iter().any(|other| safe_file_name(other.name()) == safe_file_name(scene.name())) {
+                let allowed = Message::verbatim("a unique name: files are named after it");
                 return Err(Error::refused("scene", scene.name(), allowed));
             }
         }
@@ -75,16 +75,16 @@ impl Plan {
 }
 
 impl Suite for Plan {
-    type Attempt = Task;
+    type Task = Task;
 
     const NAME: &'static str = "trees";
 
-    fn everyone(registry: &Registry) -> Vec<Contender> {
+    fn all_planners(registry: &Registry) -> Vec<Contender> {
         let planners = registry.planners().iter().filter(|entry| entry.family == FAMILY || entry.family == forage::describe::Entry::OWN);
         planners.map(|entry| Contender::new(entry.name)).collect()
     }
 
-    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+    fn jobs(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
         check_count(self.scenes.len().saturating_mul(contenders.len()).saturating_mul(self.runs as usize))?;
         let mut all = Vec::new();
         for contender in contenders {
@@ -134,7 +134,7 @@ impl Task {
     }
 
     /// Runs until there is nothing to do or the budget is spent; `None` if it is stopped.
-    fn attempt(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<(Row, Reached)>, Error> {
+    fn attempt(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<(Row, RunEnd)>, Error> {
         #[expect(clippy::disallowed_types, reason = "what it takes is measured, and is no part of the result")]
         let begun = std::time::Instant::now();
         let mut run = Run::with_keyframes(&self.registry, setup, 0)?;
@@ -153,13 +153,13 @@ impl Task {
             }
         }
         let seconds = begun.elapsed().as_secs_f64();
-        let reached = Reached::of(&run);
+        let reached = RunEnd::of(&run);
         let improvements: Vec<String> = run.curve().iter().map(|best| format!("{}:{:?}", best.evaluations, best.value)).collect();
         let nodes = run.readings().iter().find(|(name, _)| *name == "nodes").map(|(_, nodes)| nodes);
         let outcome = run.outcome();
         let row = Row {
             planner: self.contender.planner.clone(),
-            params: self.contender.set(),
+            params: self.contender.overrides_text(),
             scene: self.scene.name().to_owned(),
             content: content(&self.scene),
             seed: self.seed,
@@ -191,11 +191,11 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
-        within(&self.registry, self.setup(), self.budget, |setup| self.attempt(setup, stop))
+        run_within_budget(&self.registry, self.setup(), self.budget, |setup| self.attempt(setup, stop))
     }
 }
 
-impl Attempt for Task {
+impl SuiteJob for Task {
     fn contender(&self) -> &Contender {
         &self.contender
     }

@@ -45,7 +45,7 @@ fn cells(rows: &[&Row]) -> Vec<Cell> {
 }
 
 const COLUMNS: [&str; 11] =
-    ["planner", "runs", "solved %", "from", "to", "evaluations", "time, ms", "nodes", "length", "gap, %", "clearance"];
+    ["planner", "runs", "solved %", "from", "to", "evaluations to first path", "time, ms", "nodes", "length", "gap, %", "clearance"];
 
 /// On all scenes.
 pub(super) fn planners(rows: &[Row]) -> Table {
@@ -108,7 +108,7 @@ fn draw(path: &Path, rows: &[Row]) -> Result<(), Failure> {
         let own: Vec<&Row> = rows.iter().filter(|row| row.contender() == name).collect();
         let mut first: Vec<f64> = own.iter().filter_map(|row| row.first()).map(|at| at as f64).collect();
         first.sort_by(f64::total_cmp);
-        Curve::shares(&name, &first, own.len(), [1.0, most])
+        Curve::ecdf(&name, &first, own.len(), [1.0, most])
     };
     let x = Axis { title: "evaluations", range: 1.0..most, log: true };
     let y = Axis { title: "share of runs with a path", range: 0.0..1.02, log: false };

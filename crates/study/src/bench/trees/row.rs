@@ -1,29 +1,29 @@
-//! What a tree's run on a scene came to.
+//! The result of a tree's run on a scene.
 
 use serde::{Deserialize, Serialize};
 
-use super::super::{super::rows::Row as Kept, suite::named};
+use super::super::{super::rows::KeyedRow, suite::planner_label};
 
-/// What it came to. Times are measured, and no part of the result.
+/// The result of a run. Times are measured, and no part of the result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The planner.
     pub planner: String,
-    /// What was set of it.
+    /// Parameters that differ from the defaults.
     pub params: String,
     /// The scene.
     pub scene: String,
-    /// What the scene is: another one of the same name has another number.
+    /// A hash of the scene's content (FNV-1a, hexadecimal): another scene of the same name has another one.
     pub content: String,
     /// The seed.
     pub seed: u64,
-    /// How many evaluations there could be.
+    /// The budget of evaluations.
     pub budget: u64,
-    /// Whether there is a way, and it is free.
+    /// Whether a collision-free path was found.
     pub solved: bool,
     /// Its length.
     pub length: Option<f64>,
-    /// How near it comes to an obstacle.
+    /// Its smallest distance to an obstacle.
     pub clearance: Option<f64>,
     /// The exact optimum, where it is known.
     pub exact: Option<f64>,
@@ -33,18 +33,18 @@ pub struct Row {
     pub iterations: u64,
     /// Evaluations: straight pieces that were tested.
     pub evaluations: u64,
-    /// When the best way changed, and how long it was then: `evaluations:length`.
+    /// When the best path changed, and its length then: `evaluations:length`.
     pub improvements: String,
     /// How many seconds it took.
     pub seconds: f64,
-    /// How many seconds each improvement took.
+    /// Seconds from the start of the run to each improvement.
     pub times: String,
 }
 
 impl Row {
-    /// What tells planners apart, with what is set of them.
+    /// The planner with its overrides.
     pub(super) fn contender(&self) -> String {
-        named(&self.planner, &self.params)
+        planner_label(&self.planner, &self.params)
     }
 
     /// How much longer than the optimum, as a share of it.
@@ -65,7 +65,7 @@ impl Row {
     }
 }
 
-impl Kept for Row {
+impl KeyedRow for Row {
     fn key(&self) -> String {
         key(&self.contender(), &self.scene, &self.content, self.seed, self.budget)
     }

@@ -1,13 +1,12 @@
 //! The instances of a folder, and the published optima.
 
-use std::{fs, path::Path, sync::Arc};
+use std::{path::Path, sync::Arc};
 
 use forage::{Error, Registry, kernel::Message, scene::TourScene};
-use forage_formats::NamedFile;
 
 use super::super::{
-    super::failure::{Failure, at},
-    suite::files_in,
+    super::failure::Failure,
+    suite::{files_in, read_named},
 };
 
 /// The lengths of the shortest tours as TSPLIB publishes them; all are proved.
@@ -25,10 +24,6 @@ fn published(name: &str) -> Option<f64> {
     PUBLISHED.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(',')?.parse().ok())
 }
 
-fn read(path: &Path) -> Result<NamedFile, Failure> {
-    Ok(NamedFile::new(path.to_string_lossy(), fs::read(path).map_err(at(path))?))
-}
-
 /// The instances in a folder with at most `largest` stops, by their number of stops, and what there is to say of them.
 pub(super) fn instances(registry: &Registry, folder: &Path, largest: Option<usize>) -> Result<(Vec<Arc<Instance>>, Vec<String>), Failure> {
     let (mut all, mut notes) = (Vec::new(), Vec::new());
@@ -37,10 +32,10 @@ pub(super) fn instances(registry: &Registry, folder: &Path, largest: Option<usiz
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         // In a folder within the folder by that, too: there may be two of the same name.
         let name = path.strip_prefix(folder).unwrap_or(&path).with_extension("").to_string_lossy().replace('\\', "/");
-        let mut files = vec![read(&path)?];
+        let mut files = vec![read_named(&path)?];
         let tour = path.with_extension("opt.tour");
         if tour.exists() {
-            files.push(read(&tour)?);
+            files.push(read_named(&tour)?);
         }
         let imported = forage_formats::import(registry, &files, None)?;
         let given = imported.scene.header().exact.as_ref().and_then(|exact| exact.get("length")?.as_f64());

@@ -32,9 +32,9 @@ use super::{
         failure::Failure,
         runner::Job,
         table::Table,
-        within::{Reached, within},
+        within::{RunEnd, run_within_budget},
     },
-    suite::{Attempt, Contender, Suite, check_count},
+    suite::{Contender, Suite, SuiteJob, check_count},
 };
 
 /// Evaluations for each stop, unless it is said otherwise.
@@ -80,25 +80,25 @@ impl Plan {
 }
 
 impl Suite for Plan {
-    type Attempt = Task;
+    type Task = Task;
 
     const NAME: &'static str = "tsplib";
 
-    fn everyone(registry: &Registry) -> Vec<Contender> {
+    fn all_planners(registry: &Registry) -> Vec<Contender> {
         let planners = registry.planners().iter().filter(|entry| entry.kinds.contains(&TOUR) && entry.stops);
         planners.map(|entry| Contender::new(entry.name)).collect()
     }
 
-    /// Those that change one tour: many of thousands of stops would take hours.
-    fn usual(registry: &Registry) -> Vec<Contender> {
+    /// Planners without a population: populations take hours on thousands of stops.
+    fn default_planners(registry: &Registry) -> Vec<Contender> {
         let has_one = |contender: &Contender| {
             let entry = registry.planner(&contender.planner);
             entry.is_ok_and(|entry| entry.most_stops.is_none() && entry.parameter("population").is_none())
         };
-        Self::everyone(registry).into_iter().filter(has_one).collect()
+        Self::all_planners(registry).into_iter().filter(has_one).collect()
     }
 
-    fn attempts(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
+    fn jobs(&self, registry: &Arc<Registry>, contenders: &[Contender]) -> Result<Vec<Task>, Error> {
         let runs = usize::try_from(self.runs).unwrap_or(usize::MAX);
         check_count(self.instances.len().saturating_mul(contenders.len()).saturating_mul(runs))?;
         let mut all = Vec::new();
@@ -160,7 +160,7 @@ impl Task {
     }
 
     /// Runs until the budget is spent or the planner comes to its end; `None` if it is stopped.
-    fn attempt(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<(Row, Reached)>, Error> {
+    fn attempt(&self, setup: Setup, stop: &AtomicBool) -> Result<Option<(Row, RunEnd)>, Error> {
         let scene = Arc::clone(&setup.scene);
         #[expect(clippy::disallowed_types, reason = "what it takes is measured, and is no part of the result")]
         let begun = std::time::Instant::now();
@@ -174,7 +174,7 @@ impl Task {
         let verdict = run.best().map(|best| scene.judge(&best.solution));
         let row = Row {
             planner: self.contender.planner.clone(),
-            params: self.contender.set(),
+            params: self.contender.overrides_text(),
             instance: self.instance.name.clone(),
             stops: self.instance.tour.len(),
             seed: self.seed,
@@ -185,7 +185,7 @@ impl Task {
             evaluations: run.evaluations(),
             seconds,
         };
-        Ok(Some((row, Reached::of(&run))))
+        Ok(Some((row, RunEnd::of(&run))))
     }
 }
 
@@ -201,11 +201,11 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Row>, Error> {
-        within(&self.registry, self.setup()?, self.budget, |setup| self.attempt(setup, stop))
+        run_within_budget(&self.registry, self.setup()?, self.budget, |setup| self.attempt(setup, stop))
     }
 }
 
-impl Attempt for Task {
+impl SuiteJob for Task {
     fn contender(&self) -> &Contender {
         &self.contender
     }

@@ -37,8 +37,8 @@ pub(super) fn planners(rows: &[Row]) -> Table {
         "mean gap, %",
         "median gap, %",
         "largest gap, %",
-        "evaluations a stop",
-        "seconds",
+        "mean evaluations per stop",
+        "total time, s",
     ];
     let mut table = Table::new("tsplib", "Against the published optima", &columns);
     for contender in contenders(rows) {
@@ -123,7 +123,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     let drawn = curves(rows, |row| row.gap().map(|gap| 100.0 * gap));
     plot::draw(&gap, &x(), &Axis::linear("gap, %", 0.0, values(&drawn).into_iter()), &drawn, SeriesLabelPosition::UpperLeft)?;
     let drawn = curves(rows, |row| Some(row.seconds.max(1e-6)));
-    plot::draw(&time, &x(), &Axis::log("seconds", values(&drawn).into_iter()), &drawn, SeriesLabelPosition::UpperLeft)?;
+    plot::draw(&time, &x(), &Axis::log("mean time, s", values(&drawn).into_iter()), &drawn, SeriesLabelPosition::UpperLeft)?;
     let gaps = gaps(rows);
     fs::write(&table, gaps.csv().map_err(at(&table))?).map_err(at(&table))?;
     let budgets = distinct(rows.iter().map(|row| (row.budget / row.stops.max(1) as u64).to_string()));
@@ -132,7 +132,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     let _ = writeln!(
         text,
         "{} runs on {} instances, at most {} evaluations for each stop: tours, or moves of one, that were measured. A run is over earlier where \
-         nothing is left to improve; one whose first tours alone take more has them all: what was spent stands in the table. Lengths are by TSPLIB's distances, in whole numbers; optima are those that TSPLIB publishes. Times are of \
+         nothing is left to improve; one whose first tours alone take more has them all: the table shows what was spent. Lengths are by TSPLIB's distances, in whole numbers; optima are those that TSPLIB publishes. Times are of \
          the machine that it was run on.\n",
         rows.len(),
         instances(rows).len(),

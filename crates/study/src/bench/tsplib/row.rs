@@ -1,15 +1,15 @@
-//! What a run on an instance came to.
+//! The result of a run on an instance.
 
 use serde::{Deserialize, Serialize};
 
-use super::super::{super::rows::Row as Kept, suite::named};
+use super::super::{super::rows::KeyedRow, suite::planner_label};
 
-/// What it came to.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The planner.
     pub planner: String,
-    /// What was set of it.
+    /// Parameters that differ from the defaults.
     pub params: String,
     /// The instance.
     pub instance: String,
@@ -17,7 +17,7 @@ pub struct Row {
     pub stops: usize,
     /// The seed.
     pub seed: u64,
-    /// How many evaluations there could be.
+    /// The budget of evaluations.
     pub budget: u64,
     /// The published length of the shortest tour.
     pub optimum: Option<f64>,
@@ -38,9 +38,9 @@ impl Row {
         if length == optimum { Some(0.0) } else { Some(length / optimum - 1.0).filter(|gap| gap.is_finite()) }
     }
 
-    /// What tells planners apart, with what is set of them.
+    /// The planner with its overrides.
     pub(super) fn contender(&self) -> String {
-        named(&self.planner, &self.params)
+        planner_label(&self.planner, &self.params)
     }
 
     /// What must not be: a tour that is shorter than the shortest.
@@ -50,7 +50,7 @@ impl Row {
     }
 }
 
-impl Kept for Row {
+impl KeyedRow for Row {
     fn key(&self) -> String {
         key(&self.contender(), &self.instance, self.seed, self.budget)
     }

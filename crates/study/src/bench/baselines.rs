@@ -1,4 +1,4 @@
-//! Plain peers that planners of ours are seen beside in suites.
+//! Baseline planners that suites compare with.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub const RANDOM_SEARCH: Entry = Entry::new(
     "random-search",
     "Random search",
     "Brooks, Operations Research 6 (1958)",
-    "Positions are drawn uniformly from the search box, 100 an iteration; the best is kept. What does not do better does not search.",
+    "Positions are drawn uniformly from the search box, 100 an iteration; the best is kept. A baseline: a useful planner must do better.",
     |start: &Start| {
         let objective = Arc::clone(start.scene.get::<FunctionScene>()?.objective());
         Ok(Started::new(RandomSearch::new(objective, start.seed), start.parameters[ITERATIONS]))
