@@ -17,6 +17,7 @@ use forage_study::{
         suite::{self, Suite},
         trees, tsplib,
     },
+    rows,
     runner::{self, Control, Job},
     sweep::Part,
 };
@@ -109,11 +110,15 @@ fn run_part<S: Suite>(attempts: &[S::Task], part: Part, folder: &Path, args: &Su
     let own: Vec<S::Task> = part.jobs(attempts.len()).map(|job| attempts[job].clone()).collect();
     let name = if part.of > 1 { format!("{ROWS}.{}-of-{}.csv", part.index, part.of) } else { format!("{ROWS}.csv") };
     let file = folder.join(name);
+    if !args.fresh {
+        repair::<S>(&file)?;
+    }
     if part.of == 1 {
         let parts = parts(folder)?;
         if args.fresh {
             parts.iter().try_for_each(|part| fs::remove_file(part).map_err(|error| Failure::write(part, error)))?;
         } else {
+            parts.iter().try_for_each(|part| repair::<S>(part))?;
             suite::merge_parts(&file, &parts, attempts, &interrupt::flag())?;
         }
     }
@@ -124,6 +129,12 @@ fn run_part<S: Suite>(attempts: &[S::Task], part: Part, folder: &Path, args: &Su
     let rows = runner::run(&own, &file, args.fresh, args.jobs.map(usize::from), &control);
     bar.finish_and_clear();
     Ok(rows?)
+}
+
+/// Takes damaged lines out of a file of rows, and says so.
+fn repair<S: Suite>(file: &Path) -> Result<(), Failure> {
+    rows::repair::<<S::Task as Job>::Row>(file)?.iter().for_each(|text| note(text));
+    Ok(())
 }
 
 /// The files of rows of parts that are in a folder.

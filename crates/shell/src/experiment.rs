@@ -87,7 +87,7 @@ fn check_outputs(args: &ExperimentArgs, part: Part, rows: &Path, sources: &[Path
     let mut others: Vec<(&str, &Path)> = sources.iter().map(|path| ("is read", path.as_path())).collect();
     files::check_apart(field, rows, &others)?;
     files::make_folder_of(field, rows)?;
-    let damaged = sweep::damaged(rows);
+    let damaged = forage_study::files::damaged(rows);
     others.extend([("holds the rows", rows), ("would keep damaged rows", &damaged)]);
     others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
     let kept = args.curves.as_ref().map(|curves| sweep::curves::kept_at(curves, part));

@@ -1,6 +1,7 @@
 //! Which file a name is that of, whether or not it exists yet, and whether somebody else writes it.
 
 use std::{
+    ffi::OsString,
     fs::{self, TryLockError},
     io,
     path::{Path, PathBuf},
@@ -64,6 +65,22 @@ pub(crate) fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<O
             Ok(Some(format!("{}: it cannot be locked ({problem}); let nothing else write it meanwhile", path.display())))
         }
     }
+}
+
+/// The file's name with something behind it.
+pub(crate) fn with_suffix(path: &Path, ending: &str) -> PathBuf {
+    let mut name = OsString::from(path);
+    name.push(ending);
+    name.into()
+}
+
+/// The name under which a file of rows with damaged lines is kept as it was: the first free one of `rows.csv.bad`,
+/// `rows.csv.2.bad`, …
+pub fn damaged(rows: &Path) -> PathBuf {
+    let first = with_suffix(rows, ".bad");
+    let more = (2_u64..).map(|number| with_suffix(rows, &format!(".{number}.bad")));
+    // The numbers end after the names of any folder.
+    std::iter::once(first.clone()).chain(more).find(|path| fs::symlink_metadata(path).is_err()).unwrap_or(first)
 }
 
 #[cfg(test)]

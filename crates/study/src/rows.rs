@@ -16,7 +16,7 @@ use forage::kernel::Message;
 
 use super::{
     failure::{Failure, at},
-    files::locked,
+    files::{damaged, locked, with_suffix},
 };
 
 /// The largest file of rows: it is read as a whole.
@@ -114,6 +114,35 @@ impl<R: KeyedRow> Rows<R> {
         fs::write(&beside, text).map_err(at(&beside))?;
         fs::rename(&beside, &self.path).map_err(at(&self.path))
     }
+}
+
+/// Takes damaged lines out of a file of rows, so that their runs are repeated; the file as it was is kept under the name that
+/// [`damaged`] gives. Returns what was done. Nothing is done where no line can be read: that is no such file.
+///
+/// # Errors
+/// A file that cannot be read or written, or that another program is writing.
+pub fn repair<R: KeyedRow>(path: &Path) -> Result<Option<String>, Failure> {
+    let Ok(mut file) = File::open(path) else { return Ok(None) };
+    locked(file.try_lock(), path)?;
+    let mut bytes = Vec::new();
+    Read::by_ref(&mut file).take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
+    let mut lines_read = 0;
+    let mut rows: Vec<R> = Vec::new();
+    // A torn last line is dropped when the file is opened.
+    let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1);
+    for row in csv::Reader::from_reader(&bytes[..whole]).deserialize() {
+        lines_read += 1;
+        rows.extend(row.ok());
+    }
+    if rows.is_empty() || rows.len() == lines_read {
+        return Ok(None);
+    }
+    let (bad, new) = (damaged(path), with_suffix(path, ".new"));
+    fs::write(&bad, &bytes).map_err(at(&bad))?;
+    fs::write(&new, lines(&rows, true).map_err(at(&new))?).map_err(at(&new))?;
+    fs::rename(&new, path).map_err(at(path))?;
+    let [path, bad] = [path, &bad].map(|path| path.display());
+    Ok(Some(format!("damaged lines in {path}: {}; their runs are repeated, and the file as it was is {bad}", lines_read - rows.len())))
 }
 
 /// A row as a line of the file.

@@ -5,7 +5,6 @@
 //! new one beside it that takes its place at once. Nobody else can write meanwhile: the file is locked.
 
 use std::{
-    ffi::OsString,
     fs::{self, File, OpenOptions},
     io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write},
     path::{Path, PathBuf},
@@ -19,7 +18,7 @@ use forage::{
 use super::{
     super::{
         failure::{Failure, at},
-        files::{is_same, locked},
+        files::{damaged, is_same, locked, with_suffix},
     },
     line::{Format, RunStatistics, Wrong},
     plan::{Part, Sweep},
@@ -390,7 +389,7 @@ impl<'a> Kept<'a> {
         }
         // Behind a link is the file that is replaced.
         let target = fs::canonicalize(self.path()).map_err(at(self.path()))?;
-        let new = beside(&target, ".new");
+        let new = with_suffix(&target, ".new");
         self.write_ordered(&new)?;
         fs::rename(&new, &target).map_err(at(&target))
     }
@@ -434,20 +433,4 @@ impl<'a> Kept<'a> {
 
 fn read_at(mut file: &File, offset: u64, bytes: &mut [u8]) -> io::Result<()> {
     file.seek(SeekFrom::Start(offset)).and_then(|_| file.read_exact(bytes))
-}
-
-/// The file's name with something behind it.
-fn beside(path: &Path, ending: &str) -> PathBuf {
-    let mut name = OsString::from(path);
-    name.push(ending);
-    name.into()
-}
-
-/// The name under which a file of rows with damaged lines is kept as it was: the first free one of `rows.csv.bad`,
-/// `rows.csv.2.bad`, …
-pub fn damaged(rows: &Path) -> PathBuf {
-    let first = beside(rows, ".bad");
-    let more = (2_u64..).map(|number| beside(rows, &format!(".{number}.bad")));
-    // The numbers end after the names of any folder.
-    std::iter::once(first.clone()).chain(more).find(|path| fs::symlink_metadata(path).is_err()).unwrap_or(first)
 }

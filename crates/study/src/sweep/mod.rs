@@ -39,7 +39,7 @@ use super::{
 };
 
 pub use curves::Curves;
-pub use kept::{Kept, damaged};
+pub use kept::Kept;
 pub use line::Format;
 pub use plan::{Budget, Part, Sweep};
 pub use summary::SweepStatistics;

@@ -1,8 +1,11 @@
 //! `forage bench bbob`.
 
-use std::{fs, path::Path};
+use std::{fs, path::Path, process::Command};
 
-use crate::support::{empty_folder, forage, text};
+use crate::{
+    experiment::support::{begin, wait_for},
+    support::{empty_folder, forage, text},
+};
 
 /// Everything but the folder.
 const SMALL: &[&str] = &["bench", "bbob", "--planners", "pso,qpso", "--functions", "1,8", "--dimensions", "2,3", "--instances", "1-3"];
@@ -102,4 +105,36 @@ fn what_is_wrong_is_refused_before_anything_runs() {
         assert!(text(&output.stderr).contains(said), "{more:?}: {}", text(&output.stderr));
         assert!(!out.join("rows.csv").exists(), "{more:?}");
     }
+}
+
+#[test]
+fn damaged_lines_are_run_again() {
+    let folder = empty_folder("bench-damaged");
+    carry_out(&folder, &[]);
+    let file = folder.join("rows.csv");
+    let whole = fs::read_to_string(&file).unwrap();
+    let damaged: String =
+        whole.lines().enumerate().map(|(k, line)| if k == 5 { "garbage,,,\n".to_owned() } else { format!("{line}\n") }).collect();
+    fs::write(&file, &damaged).unwrap();
+    let output = carry_out(&folder, &[]);
+    let stderr = text(&output.stderr);
+    assert!(output.status.success() && stderr.contains("damaged lines in ") && stderr.contains("rows.csv.bad"), "{stderr}");
+    assert!(fs::read_to_string(&file).unwrap() == whole);
+    assert!(fs::read_to_string(folder.join("rows.csv.bad")).unwrap() == damaged);
+    // What has no row of this kind at all is something else.
+    fs::write(&file, "a,b\n1,2\n").unwrap();
+    assert_eq!(carry_out(&folder, &[]).status.code(), Some(2));
+}
+
+#[test]
+fn ctrl_c_keeps_what_is_finished_and_exits_with_130() {
+    let folder = empty_folder("bench-interrupted");
+    let out = folder.to_str().unwrap();
+    let args = ["bench", "bbob", "--planners", "pso", "--dimensions", "20", "--budget", "3000", "--jobs", "1", "--out", out];
+    let mut child = begin(&args);
+    wait_for(3, &folder.join("rows.csv"), &mut child);
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let kept = fs::read_to_string(folder.join("rows.csv")).unwrap();
+    assert!(kept.ends_with('\n') && kept.lines().count() < 24 * 15, "{}", kept.lines().count());
 }

@@ -62,9 +62,11 @@ fn scenes_of_the_user_take_part_and_bad_ones_are_refused() {
     assert_eq!(rows(&folder.join("out")).iter().filter(|row| row["scene"] == name).count(), 2 * 3 * 4);
     let log = fs::read_to_string(folder.join("out/ompl/arm-cuboid.log")).unwrap();
     assert!(log.contains("Experiment arm-cuboid\n") && log.contains("\n3 planners\n") && log.contains("\n4 runs per planner\n"), "{log}");
-    for (scenes, named) in
-        [(["wcpso-discs", "wcpso-discs"], "another name"), (["random-52", "random-52"], "another name"), (["nowhere", "sphere"], "nowhere")]
-    {
+    for (scenes, named) in [
+        (["wcpso-discs", "wcpso-discs"], "a unique name"),
+        (["random-52", "random-52"], "a unique name"),
+        (["nowhere", "sphere"], "nowhere"),
+    ] {
         let output = carry_out(&folder.join("refused"), &scenes);
         assert!(output.status.code() == Some(2) && text(&output.stderr).contains(named), "{}", text(&output.stderr));
     }

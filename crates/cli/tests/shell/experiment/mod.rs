@@ -5,4 +5,4 @@ mod parts;
 mod refused;
 mod resume;
 mod rows;
-mod support;
+pub(crate) mod support;
