@@ -85,25 +85,29 @@ pub struct Record {
 /// ```
 pub struct Trial {
     run: Run,
-    within: f64,
-    /// The optimum, if there is one.
-    exact: Option<f64>,
+    /// The largest value that is near enough to the optimum, if there is one.
+    near: Option<f64>,
 }
 
 impl Trial {
-    /// Starts a run. Near enough to the optimum is what is longer by up to the share `within`; where the optimum is 0,
-    /// what is larger by up to `within`.
+    /// Starts a run. Near enough to the optimum is what is longer by up to the share `within` of it; on functions, whose values have no
+    /// natural zero, and where the optimum is 0, what is larger by up to `within`.
     ///
     /// # Errors
     /// As [`Run::new`], and a `within` that is no number from 0 to 1,000,000.
     pub fn new(registry: &Arc<Registry>, setup: Setup, within: f64) -> Result<Self, Error> {
         if !(0.0..=1e6).contains(&within) {
-            return Err(Error::refused("within", within, message!("run-within", "from 0 to 1000000, a share of the exact optimum")));
+            return Err(Error::refused(
+                "within",
+                within,
+                message!("run-within", "from 0 to 1000000, a share of the exact optimum, or on functions a difference"),
+            ));
         }
         let mut run = Run::with_keyframes(registry, setup, 0)?;
-        let exact = run.exact().map(|exact| exact.length).or_else(|| run.scene().minimum().map(|minimum| minimum.value));
+        let length = run.exact().map(|exact| if exact.length > 0.0 { exact.length * (1.0 + within) } else { within });
+        let near = length.or_else(|| run.scene().minimum().map(|minimum| minimum.value + within));
         run.curve();
-        Ok(Self { run, within, exact })
+        Ok(Self { run, near })
     }
 
     /// Takes up to `steps` steps; stops where the planner does.
@@ -136,13 +140,8 @@ impl Trial {
 
     /// Iterations and evaluations when the best was near enough.
     fn reached(&mut self) -> Option<[u64; 2]> {
-        let exact = self.exact?;
-        let most = match exact {
-            0.0 => self.within,
-            _ if exact > 0.0 => exact * (1.0 + self.within),
-            _ => exact * (1.0 - self.within),
-        };
-        self.run.curve().iter().find(|best| best.value <= most).map(|best| [best.iteration, best.evaluations])
+        let near = self.near?;
+        self.run.curve().iter().find(|best| best.value <= near).map(|best| [best.iteration, best.evaluations])
     }
 
     /// What the run came to so far.
@@ -212,5 +211,22 @@ mod tests {
         late.step(u64::MAX);
         assert_eq!(late.curve(), curve, "a replay gives the same curve");
         assert_eq!(record.iterations, late.iteration());
+    }
+
+    /// On a function near means a difference, whatever its minimum is: here −48.22.
+    #[test]
+    fn near_on_a_function_is_a_difference() {
+        let function = crate::scene::FunctionScene::bbob(15, 3, 2).unwrap();
+        let scene = Arc::new(crate::scene::function::KIND.scene(crate::scene::Header::named("f", "F"), function).unwrap());
+        let minimum = scene.minimum().unwrap().value;
+        assert!((minimum + 48.22).abs() < 1e-9, "{minimum}");
+        for within in [4.0, 0.5] {
+            let setup = Setup { planner: "pso".into(), scene: Arc::clone(&scene), params: Overrides::new(), seed: 1 };
+            let mut trial = Trial::new(&Arc::new(Registry::standard()), setup, within).unwrap();
+            trial.step(u64::MAX);
+            let first = trial.curve().iter().find(|best| best.value <= minimum + within).map(|best| best.evaluations);
+            assert!(first.is_some());
+            assert_eq!(trial.record().reached, first);
+        }
     }
 }

@@ -92,7 +92,8 @@ pub fn proportion(successes: usize, count: usize) -> Option<[f64; 2]> {
     let scale = 1.0 + z * z / n;
     let middle = (share + z * z / (2.0 * n)) / scale;
     let half = z / scale * (share * (1.0 - share) / n + z * z / (4.0 * n * n)).sqrt();
-    Some([(middle - half).max(0.0), (middle + half).min(1.0)])
+    // At the ends the formula gives 0 and 1, but for rounding.
+    Some([if successes == 0 { 0.0 } else { middle - half }, if successes == count { 1.0 } else { middle + half }])
 }
 
 /// A quantile of numbers in order, some of which may be infinite: Hyndman and Fan's type 8, numpy's `median_unbiased`. NaN

@@ -291,12 +291,12 @@ test('planners with optima of their own are compared by value, and what is deter
   await page.getByTestId('batch-run').click()
   await finished(page, 6)
   await expect(page.getByTestId('batch-boxes')).toHaveAttribute('data-measure', 'value')
-  const note = page.getByTestId('batch-yardsticks')
+  const note = page.getByTestId('batch-references')
   const summary = page.getByTestId('batch-summary').locator('tbody tr')
   for (const [at, { exact_by: by }] of [cells, free].entries()) {
     if (by === 'refuted') throw new Error('no optimum')
-    await expect(note).toContainText(text.results.yardsticks[by])
-    await expect(summary.nth(at)).toContainText(text.results.yardsticks[by])
+    await expect(note).toContainText(plan.references[by])
+    await expect(summary.nth(at)).toContainText(plan.references[by])
     await expect(summary.nth(at)).toContainText(text.summary.sure)
     // Neither spread nor interval, and no mean rank.
     await expect(summary.nth(at).locator('td').nth(3)).toHaveText('–')
@@ -503,4 +503,12 @@ test('instances of a function have other optima: runs are compared by how far ab
   const row = page.getByTestId('batch-summary').locator('tbody tr').nth(2)
   await expect(row).toContainText('QPSO')
   await expect(row).toContainText((above[7] ?? NaN).toString().slice(0, 4))
+  // Files have what the core found, and what counts as near is a difference.
+  const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
+  const at = (name: string): number => head.split(',').indexOf(name)
+  const saved = lines.map((line) => line.split(',')).filter((cells) => cells[at('planner')] === 'qpso')
+  const told = (cells: string[]) => ['value', 'exact', 'reached'].map((name) => cells[at(name)])
+  expect(saved.map(told)).toEqual(
+    records.map(({ value, exact, reached: after }) => [value, exact, after].map((cell) => String(cell ?? ''))),
+  )
 })

@@ -347,9 +347,9 @@ test('racers with optima of their own say whose their gaps are', async ({ lab, p
   await race.still()
   const by = ['dijkstra', 'a-star', 'theta-star'].map((planner) => trialOf({ planner, scene: 'ant-bat-30', seed: 1 }).record.exact_by)
   expect(new Set(by).size).toBe(2)
-  for (const [at, yardstick] of by.entries()) {
-    if (yardstick === 'refuted') throw new Error('no optimum')
-    const told = text.lane.to(text.yardsticks[yardstick])
+  for (const [at, reference] of by.entries()) {
+    if (reference === 'refuted') throw new Error('no optimum')
+    const told = text.lane.to(plan.references[reference])
     await expect(race.lanes.nth(at).getByTestId('lane-verdict')).toContainText(told)
     const planner = (await race.lanes.nth(at).getAttribute('data-planner')) ?? ''
     await expect(page.getByTestId('race-table').locator(`[data-planner=${planner}]`).getByTestId('race-gap')).toContainText(told)

@@ -361,7 +361,7 @@ test('stops are read from TSPLIB’s files and from a table, toured, and saved a
   await expect(page.getByTestId('result-strip')).toContainText(en.result.equal(en.result.tours.matrix))
 })
 
-test('where the file knows the optimum, that is the yardstick', async ({ lab, page }) => {
+test('where the file knows the optimum, that is the reference', async ({ lab, page }) => {
   const setup = { planner: 'bat', scene: 'random-52', params: { local_search: 'none' } }
   await begin(lab, 5, setup)
   const outcome: Outcome = sessionAt(setup, 5, (session) => session.outcome())

@@ -167,11 +167,11 @@ export type Catalogue = {
 
 /** How many times larger a planner's gap is on test functions that were changed, with equal evaluations. */
 export type CentreBias = {
-  /** Where the minimum is not in the middle of the search box. */
+  /** On functions whose minimum is shifted away from the centre of the search box. */
   shifted: Ratio
-  /** Where the function's axes are turned. */
+  /** On functions whose axes are rotated. */
   rotated: Ratio
-  /** What random search, which knows nothing of the middle, has where the minimum is not there. */
+  /** That of random search on the shifted functions, for comparison. */
   random_search: Ratio
 }
 
@@ -927,7 +927,7 @@ export type Ratio = {
   to: number
 }
 
-/** Which share of a group's runs had come near enough to the optimum after so many evaluations: the share jumps there. */
+/** The empirical distribution of running times (ECDF): which share of a group's runs had reached the target after so many evaluations. */
 export type Reached = {
   /** Evaluations. */
   evaluations: Array<number>
@@ -995,13 +995,13 @@ export type RunEvent = {
   reason: Message
 }
 
-/** An [expected running time](expected_running_time) with its 95 % interval. */
+/** An [expected running time](expected_running_time) with its interval. */
 export type RunningTime = {
   /** Evaluations for each success. */
   expected: number
   /**
-   * The [bootstrap](bootstrap) interval, from a stream of its own; an end is `null` where so many samples have no success that there is
-   * none. `null` for a single run.
+   * The 95 % [bootstrap](bootstrap) interval; an end is `null` if too many resamples have no success for it to be finite. `null` for
+   * a single run.
    */
   interval: [number | null, number | null] | null
 }

@@ -202,7 +202,7 @@ pub(super) struct BbobArgs {
     #[arg(long, value_name = "LIST")]
     pub(super) instances: Option<String>,
     /// Evaluations for each variable.
-    #[arg(long, value_name = "N", default_value_t = forage_study::bench::bbob::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = forage_study::bench::bbob::BUDGET, value_parser = whole::<1, 1_000_000_000>, allow_negative_numbers = true)]
     pub(super) budget: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
@@ -214,10 +214,10 @@ pub(super) struct CentreBiasArgs {
     #[arg(long, value_name = "N", default_value_t = centre_bias::DIMENSION, value_parser = variables, allow_negative_numbers = true)]
     pub(super) dimension: usize,
     /// How many instances of each form; their numbers, from 1, are the seeds.
-    #[arg(long, value_name = "N", default_value_t = centre_bias::INSTANCES, value_parser = clap::value_parser!(u64).range(2..=1_000))]
+    #[arg(long, value_name = "N", default_value_t = centre_bias::INSTANCES, value_parser = whole::<2, 1_000>, allow_negative_numbers = true)]
     pub(super) instances: u64,
     /// Evaluations for each variable.
-    #[arg(long, value_name = "N", default_value_t = centre_bias::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = centre_bias::BUDGET, value_parser = whole::<1, 1_000_000_000>, allow_negative_numbers = true)]
     pub(super) budget: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
@@ -241,10 +241,10 @@ pub(super) struct TreesArgs {
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
     pub(super) scenes: Vec<String>,
     /// How many runs on each scene; their numbers, from 1, are the seeds.
-    #[arg(long, value_name = "N", default_value_t = trees::RUNS, value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = trees::RUNS, value_parser = whole::<1, 100_000>, allow_negative_numbers = true)]
     pub(super) runs: u64,
     /// Evaluations of a run: straight segments that are checked for collisions.
-    #[arg(long, value_name = "N", default_value_t = trees::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = trees::BUDGET, value_parser = whole::<1, 1_000_000_000>, allow_negative_numbers = true)]
     pub(super) budget: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
@@ -259,10 +259,10 @@ pub(super) struct TsplibArgs {
     #[arg(long, value_name = "N", value_parser = many, allow_negative_numbers = true)]
     pub(super) largest: Option<NonZeroUsize>,
     /// Evaluations for each stop: tours, or moves of one, that are measured.
-    #[arg(long, value_name = "N", default_value_t = forage_study::bench::tsplib::BUDGET, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", default_value_t = forage_study::bench::tsplib::BUDGET, value_parser = whole::<1, 1_000_000>, allow_negative_numbers = true)]
     pub(super) budget: u64,
     /// Runs per instance; the seeds are 1 to N.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<1, 1_000>, allow_negative_numbers = true)]
     pub(super) runs: u64,
     #[command(flatten)]
     pub(super) common: SuiteArgs,
@@ -271,7 +271,7 @@ pub(super) struct TsplibArgs {
 /// The options of all suites.
 #[derive(Args)]
 pub(super) struct SuiteArgs {
-    /// The planners, separated by commas; default: all that can run; movingai: the graph searches; tsplib: planners without a population.
+    /// The planners, separated by commas; default: all that can run; movingai: the graph searches; tsplib: planners without a population. On functions `random-search` is a baseline.
     #[arg(long, value_name = "PLANNERS", value_delimiter = ',')]
     pub(super) planners: Vec<String>,
     /// A planner of your own, in JavaScript: with those of `--planners`, or alone. Can be given several times.
@@ -283,7 +283,7 @@ pub(super) struct SuiteArgs {
     /// The folder for rows, report and files of the suite's tools; default: the suite's name.
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(super) out: Option<PathBuf>,
-    /// How many threads to use; default: all cores. The rows do not depend on it.
+    /// How many threads to use; default: all cores. The results do not depend on it, only times that are measured.
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(super) jobs: Option<NonZeroUsize>,
     /// Run only part I of N, into a file of rows of its own; without it, the parts in the folder are merged.
@@ -492,6 +492,10 @@ fn seconds(text: &str) -> Result<u64, String> {
 fn problem(text: &str) -> Result<usize, String> {
     // No file of problems can hold more.
     whole_number(text, 0, u64::from(u32::MAX)).map(|number| number as usize)
+}
+
+fn whole<const LEAST: u64, const MOST: u64>(text: &str) -> Result<u64, String> {
+    whole_number(text, LEAST, MOST)
 }
 
 fn whole_number(text: &str, least: u64, most: u64) -> Result<u64, String> {

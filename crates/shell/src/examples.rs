@@ -131,7 +131,7 @@ pub(super) const EXPERIMENT: &str = "Examples:
 pub(super) const EXPERIMENT_FILE: &str = r#"name = "inertia"                             # default: the name of this file
 scenes = ["sphere", "ackley"]                # shipped scenes, links, or files relative to this one
 seeds = { from = 1, count = 10 }             # or a list
-within = 0.01                                # a run counts as successful within this share of the exact optimum
+within = 0.01                                # a run counts as successful within this share of the exact optimum; on functions a difference
 budget = 4000                                # evaluations of each run; default: what the first planner takes; or "own"
 out = "inertia.csv"                          # or .jsonl, .ndjson
 

@@ -1,6 +1,6 @@
 //! Plots that compare planners: curves over linear or logarithmic axes, ratios with intervals, mean ranks.
 
-use std::{error::Error, io, ops::Range, path::Path};
+use std::{error::Error, fs, io, ops::Range, path::Path};
 
 use plotters::{
     coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter},
@@ -73,6 +73,14 @@ impl Curve {
     }
 }
 
+/// Removes a picture of an earlier time that is not drawn again.
+pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(problem) if problem.kind() != io::ErrorKind::NotFound => Err(Failure::File(path.to_owned(), problem)),
+        _ => Ok(()),
+    }
+}
+
 /// Draws curves, with a legend at the given position.
 ///
 /// # Errors
@@ -95,24 +103,40 @@ pub(crate) struct Bar {
     pub interval: Option<[f64; 2]>,
 }
 
-/// Draws values with their intervals over a logarithmic axis, one below the other, and a line at 1.
+/// Draws ratios with their intervals over a logarithmic axis, one below the other, and a line at 1.
 ///
 /// # Errors
 /// A file that cannot be written.
 pub(crate) fn draw_ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Failure> {
-    ratios(path, title, bars).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
-}
-
-fn ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Box<dyn Error>> {
     let ends = bars.iter().flat_map(|bar| bar.interval.unwrap_or([bar.value; 2])).filter(|end| *end > 0.0);
     let (low, high) = ends.fold((0.5_f64, 2.0_f64), |(low, high), end| (low.min(end), high.max(end)));
+    let done = intervals(path, title, bars, (low / 1.2..high * 1.2).log_scale(), 1.0);
+    done.map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+}
+
+/// Draws values from 0 on with their intervals, one below the other.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(crate) fn draw_values(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Failure> {
+    let most = bars.iter().map(|bar| bar.interval.map_or(bar.value, |[_, high]| high)).fold(1e-9, f64::max);
+    let done = intervals(path, title, bars, 0.0..most * 1.05, 0.0);
+    done.map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+}
+
+fn intervals<X>(path: &Path, title: &str, bars: &[Bar], x: X, line: f64) -> Result<(), Box<dyn Error>>
+where
+    X: AsRangedCoord<Value = f64, CoordDescType: ValueFormatter<f64>>,
+    <X as AsRangedCoord>::CoordDescType: Ranged<ValueType = f64>,
+{
     let root = SVGBackend::new(path, (SIZE.0, 70 + 30 * bars.len() as u32)).into_drawing_area();
     root.fill(&WHITE)?;
+    let longest = bars.iter().map(|bar| bar.name.chars().count()).max().unwrap_or(0) as u32;
     let mut chart = ChartBuilder::on(&root)
         .margin(14)
         .x_label_area_size(42)
-        .y_label_area_size(150)
-        .build_cartesian_2d((low / 1.2..high * 1.2).log_scale(), -0.5..bars.len() as f64 - 0.5)?;
+        .y_label_area_size((7 * longest + 20).max(150))
+        .build_cartesian_2d(x, -0.5..bars.len() as f64 - 0.5)?;
     // The first is at the top.
     let place = |k: usize| (bars.len() - 1 - k) as f64;
     let name = |y: &f64| {
@@ -129,7 +153,7 @@ fn ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Box<dyn Error>> 
         .x_label_formatter(&label)
         .y_label_formatter(&name)
         .draw()?;
-    chart.draw_series([PathElement::new([(1.0, -0.5), (1.0, bars.len() as f64 - 0.5)], BLACK.mix(0.5))])?;
+    chart.draw_series([PathElement::new([(line, -0.5), (line, bars.len() as f64 - 0.5)], BLACK.mix(0.5))])?;
     let colour = MANY[0];
     for (k, bar) in bars.iter().enumerate() {
         if let Some([low, high]) = bar.interval {
@@ -156,17 +180,19 @@ pub(crate) fn draw_ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: 
 }
 
 fn ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -> Result<(), Box<dyn Error>> {
-    const SIDE: i32 = 190;
     const LINE: i32 = 22;
     let rows = ranked.len().div_ceil(2) as i32;
     let axis = 70;
     let below = axis + 14 + 9 * bars.len() as i32;
-    let size = (SIZE.0, (below + LINE * rows + 24) as u32);
+    // Names and ranks have room at both sides.
+    let longest = ranked.iter().map(|one| one.name.chars().count()).max().unwrap_or(0) as i32;
+    let side = (8 * longest + 90).max(190);
+    let size = ((SIZE.0 as i32 + 2 * (side - 190)) as u32, (below + LINE * rows + 24) as u32);
     let root = SVGBackend::new(path, size).into_drawing_area();
     root.fill(&WHITE)?;
-    let wide = f64::from(size.0 as i32 - 2 * SIDE);
+    let wide = f64::from(size.0 as i32 - 2 * side);
     let last = ranked.len().max(2) as f64;
-    let at = |rank: f64| SIDE + ((rank - 1.0) / (last - 1.0) * wide).round() as i32;
+    let at = |rank: f64| side + ((rank - 1.0) / (last - 1.0) * wide).round() as i32;
     let text = |anchor: HPos, size: i32| TextStyle::from(("sans-serif", size)).pos(Pos::new(anchor, VPos::Center));
     let line = |points: Vec<(i32, i32)>, width: u32| PathElement::new(points, BLACK.stroke_width(width));
     root.draw(&line(vec![(at(1.0), axis), (at(last), axis)], 1))?;
@@ -175,9 +201,9 @@ fn ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -
         root.draw(&Text::new(rank.to_string(), (at(rank as f64), axis - 15), text(HPos::Center, 13)))?;
     }
     // How far apart ranks must be to differ.
-    let end = SIDE + (difference / (last - 1.0) * wide).round() as i32;
-    root.draw(&line(vec![(SIDE, 28), (end.min(size.0 as i32 - 20), 28)], 2))?;
-    root.draw(&Text::new(format!("critical difference {difference:.2}"), (SIDE, 14), text(HPos::Left, 13)))?;
+    let end = side + (difference / (last - 1.0) * wide).round() as i32;
+    root.draw(&line(vec![(side, 28), (end.min(size.0 as i32 - 20), 28)], 2))?;
+    root.draw(&Text::new(format!("critical difference {difference:.2}"), (side, 14), text(HPos::Left, 13)))?;
     for (k, bar) in bars.iter().enumerate() {
         let [first, last] = [bar.first(), bar.last()].map(|one| one.map_or(1.0, |&one| ranked[one].rank));
         let height = axis + 9 + 9 * k as i32;
@@ -191,7 +217,7 @@ fn ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -
         let row = if left { k } else { order.len() - 1 - k } as i32;
         let height = below + LINE * row + LINE / 2;
         let (edge, name, anchor) =
-            if left { (SIDE - 20, SIDE - 26, HPos::Right) } else { (size.0 as i32 - SIDE + 20, size.0 as i32 - SIDE + 26, HPos::Left) };
+            if left { (side - 20, side - 26, HPos::Right) } else { (size.0 as i32 - side + 20, size.0 as i32 - side + 26, HPos::Left) };
         root.draw(&line(vec![(at(one.rank), axis), (at(one.rank), height), (edge, height)], 1))?;
         root.draw(&Text::new(format!("{} {:.2}", one.name, one.rank), (name, height), text(anchor, 13)))?;
     }
@@ -215,7 +241,8 @@ where
 {
     let root = SVGBackend::new(path, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&root).margin(14).x_label_area_size(42).y_label_area_size(64).build_cartesian_2d(x, y)?;
+    let mut chart =
+        ChartBuilder::on(&root).margin(14).margin_right(34).x_label_area_size(42).y_label_area_size(64).build_cartesian_2d(x, y)?;
     let label = |number: &f64| format!("{}", (number * 1e9).round() / 1e9);
     chart.configure_mesh().x_desc(across).y_desc(up).x_label_formatter(&label).y_label_formatter(&label).draw()?;
     for (k, curve) in curves.iter().enumerate() {

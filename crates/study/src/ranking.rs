@@ -60,7 +60,10 @@ impl Ranking {
 
     /// Draws the mean ranks with a bar over those that do not differ (Demšar 2006); whether there was something to draw.
     pub(crate) fn draw_ranks(&self, path: &Path) -> Result<bool, Failure> {
-        let Some((Friedman { ranks, .. }, difference)) = self.ranks() else { return Ok(false) };
+        let Some((Friedman { ranks, .. }, difference)) = self.ranks() else {
+            plot::remove(path)?;
+            return Ok(false);
+        };
         let bars = homogeneous_groups(&ranks, difference);
         let ranked: Vec<Ranked> = self.planners.iter().cloned().zip(ranks).map(|(name, rank)| Ranked { name, rank }).collect();
         plot::draw_ranks(path, &ranked, difference, &bars)?;
@@ -70,10 +73,10 @@ impl Ranking {
     /// Draws the share of problems that each planner solves with at most so many times the least cost (Dolan and Moré 2002).
     pub(crate) fn draw_profile(&self, path: &Path, cost: &'static str) -> Result<(), Failure> {
         let ratios = performance_ratios(&self.costs);
-        let most = ratios.iter().flatten().copied().filter(|ratio| ratio.is_finite()).fold(9.6, f64::max) * 1.05;
+        let most = ratios.iter().flatten().copied().filter(|ratio| ratio.is_finite()).fold(1.0, f64::max) * 1.05;
         let curve = |(name, ratios): (&String, &Vec<f64>)| Curve::ecdf(name, ratios, self.costs.len(), [1.0, most]);
         let curves: Vec<Curve> = self.planners.iter().zip(&ratios).map(curve).collect();
-        let x = Axis { title: cost, range: 1.0..most, log: true };
+        let x = Axis { title: cost, range: 1.0..most, log: most >= 10.0 };
         let y = Axis { title: "share of problems", range: 0.0..1.02, log: false };
         plot::draw(path, &x, &y, &curves, plotters::chart::SeriesLabelPosition::LowerRight)
     }

@@ -61,7 +61,12 @@ impl Cell {
         match self {
             Self::Empty => String::new(),
             Self::Text(text) => text.clone(),
-            Self::Number(number, digits) => format!("{number:.digits$}"),
+            Self::Number(number, digits) => {
+                let text = format!("{number:.digits$}");
+                // Nothing is less than nothing.
+                let zero = text.strip_prefix('-').filter(|rest| !rest.contains(|c: char| c.is_ascii_digit() && c != '0'));
+                zero.map_or_else(|| text.clone(), str::to_owned)
+            }
             Self::Significant(number, digits) => significant(*number, *digits),
         }
     }
@@ -193,6 +198,12 @@ impl Serialize for Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nothing_is_less_than_nothing() {
+        let text = |number, digits| Cell::Number(number, digits).shown();
+        assert_eq!([text(-0.0004, 3), text(-0.0006, 3), text(-0.0, 0), text(0.0, 1)], ["0.000", "-0.001", "0", "0.0"]);
+    }
 
     #[test]
     fn numbers_are_shown_with_their_first_digits_and_read_with_all() {

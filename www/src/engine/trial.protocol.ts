@@ -16,6 +16,8 @@ export interface Maps {
 /** A run that is over. */
 export interface Row {
   record: TrialRecord
+  /** What files have instead, where runs are compared by how far each is above its own optimum. */
+  original: Pick<TrialRecord, 'value' | 'exact'> | null
   curve: Pick<TrialCurve, 'evaluations' | 'values'>
   /** Opens it where it ended. */
   link: string

@@ -10,7 +10,7 @@ import type { SetupStore } from './setup.svelte'
 import { Suggested } from './suggested.svelte'
 
 /** Which optimum results are measured by. Only in a grid and of tours there is more than one. */
-export type Yardstick = 'plain' | Outcome['exact_by']
+export type Reference = 'plain' | Outcome['exact_by']
 
 /** The run that is there, and what was reported of it. */
 export class RunStore {
@@ -44,12 +44,12 @@ export class RunStore {
   readonly openEnded = $derived(this.span.end === null)
   readonly stages = $derived(this.span.stages)
   readonly finished = $derived(this.status !== 'running')
-  readonly yardstick = $derived.by<Yardstick>(() =>
+  readonly reference = $derived.by<Reference>(() =>
     (this.scene.grid || this.setup.touring) && this.outcome ? this.outcome.exact_by : 'plain',
   )
   /** The optimum that results are measured by, in words. */
   readonly optimum = $derived.by(() =>
-    this.scene.arm ? en.result.tip : en.result[this.setup.planner?.stops ? 'tours' : 'optimum'][this.yardstick],
+    this.scene.arm ? en.result.tip : en.result[this.setup.planner?.stops ? 'tours' : 'optimum'][this.reference],
   )
   /** What is done before there can be a result: how many of the roads between the stops stand. */
   readonly building = $derived.by(() => missing(this.setup.planner, this.scene.grid, this.readings, this.outcome, this.finished))

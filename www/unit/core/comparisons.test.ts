@@ -36,6 +36,7 @@ test('every ready-made comparison uses planners, parameters and a scene that shi
     'swarms',
     'inertia',
     'bbob',
+    'shifted',
     'quantum',
     'ants',
     'maps',

@@ -190,10 +190,10 @@ impl Format {
             "refuted" => ReferenceOptimum::Refuted,
             _ => ReferenceOptimum::AnyAngle,
         };
-        let exact = Optimum::of(number("exact")?);
+        let measured = number("exact")?.is_some();
         let (value, reached, deterministic) = (number("value")?, number("reached")?, flag("deterministic")?);
         let evaluations = number("evaluations")?.ok_or_else(|| damaged(&"evaluations is missing"))?;
-        Ok((job, RunStatistics { value, reached, evaluations, exact, by, deterministic }))
+        Ok((job, RunStatistics { value, reached, evaluations, measured, by, deterministic }))
     }
 }
 
@@ -214,30 +214,6 @@ fn damaged(problem: &impl ToString) -> Wrong {
     Wrong::Damaged(problem.to_string())
 }
 
-/// Which kind of optimum there is to reach: what near to it means hangs on that.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) enum Optimum {
-    #[default]
-    None,
-    /// Near to it is a share of it.
-    Positive,
-    /// Near to it is a difference.
-    Zero,
-    /// The same.
-    Negative,
-}
-
-impl Optimum {
-    fn of(exact: Option<f64>) -> Self {
-        match exact {
-            None => Self::None,
-            Some(exact) if exact > 0.0 => Self::Positive,
-            Some(0.0) => Self::Zero,
-            Some(_) => Self::Negative,
-        }
-    }
-}
-
 /// What the statistics need of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct RunStatistics {
@@ -246,8 +222,9 @@ pub(super) struct RunStatistics {
     pub(super) reached: Option<f64>,
     /// How many evaluations there were.
     pub(super) evaluations: f64,
-    pub(super) exact: Optimum,
-    /// Which optimum that is.
+    /// There is an optimum to measure it by.
+    pub(super) measured: bool,
+    /// Which one.
     pub(super) by: ReferenceOptimum,
     /// No random number has a part in it.
     pub(super) deterministic: bool,
@@ -259,7 +236,7 @@ impl From<&Record> for RunStatistics {
         let value = record.value.filter(|value| value.is_finite());
         let reached = record.reached.map(|evaluations| evaluations as f64);
         let (evaluations, deterministic) = (record.evaluations as f64, record.deterministic);
-        Self { value, reached, evaluations, exact: Optimum::of(record.exact), by: record.exact_by, deterministic }
+        Self { value, reached, evaluations, measured: record.exact.is_some(), by: record.exact_by, deterministic }
     }
 }
 

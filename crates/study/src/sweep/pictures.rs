@@ -41,6 +41,7 @@ pub fn draw(kept: &Kept, summary: &SweepStatistics, report: &Path) -> Result<Str
     let [reached, profile, ranks] = paths_of(report);
     let sweep = kept.sweep();
     let mut drawn = [false; 3];
+    [&reached, &profile, &ranks].into_iter().try_for_each(|path| plot::remove(path))?;
     if sweep.groups() <= MOST_DRAWN {
         let names: Vec<String> =
             summary.scenes.first().map_or(&[] as &[_], |scene| &scene.groups).iter().map(|group| group.summary.name.clone()).collect();
@@ -50,7 +51,8 @@ pub fn draw(kept: &Kept, summary: &SweepStatistics, report: &Path) -> Result<Str
             cells.map(|(scene, seed)| (0..sweep.groups()).map(|group| hit(scene, seed, group)).collect()).collect();
         let times = Ranking { planners: names, costs };
         if times.costs.iter().flatten().any(Option::is_some) {
-            draw_reached(&times, &reached)?;
+            let most = summary.scenes.iter().flat_map(|scene| &scene.groups).map(|group| group.evaluations[1]).fold(1.0, f64::max);
+            draw_reached(&times, most, &reached)?;
             drawn[0] = true;
         }
         if sweep.groups() > 1 && drawn[0] {
@@ -69,14 +71,14 @@ pub fn draw(kept: &Kept, summary: &SweepStatistics, report: &Path) -> Result<Str
 }
 
 /// Which share of each planner's runs came near the optimum after so many evaluations.
-fn draw_reached(times: &Ranking, path: &Path) -> Result<(), Failure> {
+fn draw_reached(times: &Ranking, most: f64, path: &Path) -> Result<(), Failure> {
     let of = |group: usize| {
         let mut hits: Vec<f64> = times.costs.iter().filter_map(|costs| costs[group]).collect();
         hits.sort_by(f64::total_cmp);
         hits
     };
     let hits: Vec<Vec<f64>> = (0..times.planners.len()).map(of).collect();
-    let x = Axis::log("evaluations", hits.iter().flatten().copied());
+    let x = Axis::log("evaluations", hits.iter().flatten().copied().chain([most]));
     let ends = [x.range.start, x.range.end];
     let curves: Vec<Curve> =
         times.planners.iter().zip(&hits).map(|(name, hits)| Curve::ecdf(name, hits, times.costs.len(), ends)).collect();

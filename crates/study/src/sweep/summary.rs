@@ -25,7 +25,7 @@ use super::{
         table::{Cell, Table, p_is, probability, significant},
     },
     kept::Kept,
-    line::{Optimum, RunStatistics},
+    line::RunStatistics,
     plan::Pairs,
     text::value_text,
 };
@@ -69,7 +69,8 @@ pub struct SceneStatistics {
     /// Every pair of the stochastic ones; the correction is for the scene's pairs. `None` of more than thirty groups.
     pub pairs: Option<Vec<Pair>>,
     #[serde(skip)]
-    optimum: Optimum,
+    /// Whether near the optimum means a difference, and not a share of it: on functions.
+    by_difference: bool,
 }
 
 /// What there is to say of a planner with some parameters.
@@ -112,6 +113,7 @@ impl SweepStatistics {
         let scenes = (0..sweep.scenes.len()).map(|scene| SceneStatistics {
             scene: sweep.scenes[scene].name().to_owned(),
             budget: sweep.allowances[scene],
+            by_difference: sweep.scenes[scene].minimum().is_some(),
             ..SceneStatistics::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
         });
         let scenes: Vec<SceneStatistics> = scenes.collect();
@@ -258,7 +260,6 @@ impl SceneStatistics {
     fn of(registry: &Registry, told: Vec<((&str, Pairs), Vec<RunStatistics>)>) -> Self {
         let mut groups = Vec::with_capacity(told.len());
         let mut reached = Vec::with_capacity(told.len());
-        let mut optimum = Optimum::None;
         let (_, common) = told.first().map_or(("", Vec::new()), |(group, _)| group.clone());
         let common: Vec<_> = common.into_iter().filter(|pair| told.iter().all(|((_, set), _)| set.contains(pair))).collect();
         for ((planner, parameters), runs) in told {
@@ -267,8 +268,7 @@ impl SceneStatistics {
             let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
             let parameters: Overrides = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
             let near = runs.iter().filter(|told| told.reached.is_some()).count();
-            let measured = runs.iter().find(|told| told.exact != Optimum::None);
-            optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
+            let measured = runs.iter().find(|told| told.measured);
             let draws_lots = runs.len() < 2 || runs.iter().any(|told| !told.deterministic);
             let times: Vec<Attempt> = runs.iter().map(|told| Attempt { hit: told.reached, spent: told.evaluations }).collect();
             let spent = forage::statistics::Summary::of(runs.iter().map(|told| told.evaluations));
@@ -298,7 +298,7 @@ impl SceneStatistics {
                 summary,
             }
         });
-        Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, optimum }
+        Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, by_difference: false }
     }
 
     fn table(&self, within: f64) -> Table {
@@ -323,10 +323,10 @@ impl SceneStatistics {
             "optimum",
         ];
         let number = |number: f64| value_text(&forage::Value::Number(number));
-        let near = match self.optimum {
-            Optimum::Zero => format!("{} of the exact optimum, which is 0", number(within)),
-            Optimum::Negative => format!("{} of the exact optimum", number(within)),
-            Optimum::None | Optimum::Positive => format!("{} % of the exact optimum", number(100.0 * within)),
+        let near = if self.by_difference {
+            format!("{} of the exact minimum", number(within))
+        } else {
+            format!("{} % of the exact optimum", number(100.0 * within))
         };
         let mut measured = self.groups.iter().filter_map(|group| group.exact_by);
         let first = measured.next();

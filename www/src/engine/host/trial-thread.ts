@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
 import { armSlice, bands, carryOut, compare, generateScene, load, reachability, reached, ready, serveBy, suggest, Trial } from 'forage-lab'
-import type { Finding, GeneratorName, Reachability, Scene, Setup, TrialRecord } from 'forage-lab'
+import type { Finding, GeneratorName, Reachability, Scene, Setup } from 'forage-lab'
 import type { RunSetup } from '../../catalogue/own'
 import type { Files } from '../host'
 import { from } from './files'
@@ -63,19 +63,14 @@ async function stepToEnd(trial: Trial, budget: number | null, apart: boolean): P
   }
 }
 
-/** So near to an optimum counts as reached, where that is 0. */
-const NEAR = 0.01
-
 /** What runs are compared by. Functions of several seeds have other optima: then it is how far above its own each came. */
-function compared(trial: Trial, maps: Maps | null): { record: TrialRecord; evaluations: Float64Array; values: Float64Array } {
+function compared(trial: Trial, maps: Maps | null): Pick<Row, 'record' | 'original' | 'curve'> {
   const { evaluations, values } = trial.curve()
   const record = trial.record()
   const { exact, value, length } = record
-  if (!maps || length !== null || exact === null || value === null) return { record, evaluations, values }
-  const above = values.map((one) => one - exact)
-  const near = above.findIndex((one) => one <= NEAR)
-  const reached = near < 0 ? null : (evaluations[near] ?? null)
-  return { record: { ...record, value: value - exact, exact: 0, reached, reached_iteration: null }, evaluations, values: above }
+  if (!maps || length !== null || exact === null || value === null) return { record, original: null, curve: { evaluations, values } }
+  const curve = { evaluations, values: values.map((one) => one - exact) }
+  return { record: { ...record, value: value - exact, exact: 0 }, original: { value, exact }, curve }
 }
 
 /** What a run spends that has just begun. */
@@ -149,9 +144,8 @@ const api = {
         iterations = moreIterations(trial, budget, most)
         if (iterations === null) break
       }
-      const { record, evaluations, values } = compared(trial, maps)
-      const row: Row = { record, link: trial.link() + (code.ok ? code.value : ''), curve: { evaluations, values } }
-      return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
+      const row: Row = { ...compared(trial, maps), link: trial.link() + (code.ok ? code.value : '') }
+      return Comlink.transfer<Ending>({ is: 'over', row }, [row.curve.evaluations.buffer, row.curve.values.buffer])
     } catch (error) {
       throw broken(error)
     } finally {

@@ -19,7 +19,7 @@ export const batch = {
     delete: 'Delete them',
     size: (planners: number, seeds: number, runs: string) =>
       `${planners === 1 ? '1 planner' : `${planners} planners`} × ${seeds} seeds = ${runs} runs`,
-    broken: (message: string) => `A thread broke down (${message}). Completed runs are kept; go on to run the rest.`,
+    broken: (message: string) => `A worker failed (${message}). Completed runs are kept; go on to run the rest.`,
     faulty: 'Correct what is marked first.',
     nothing: 'There is no planner to run.',
     spoken: (done: string, total: string) => `${done} of ${total} runs completed`,
@@ -49,14 +49,13 @@ export const batch = {
     cost: 'value of the function',
     gapAxis: 'gap to the exact optimum',
     gapAxisOwn: 'gap to the planner’s own exact optimum',
-    yardsticks: { 'any-angle': 'any-angle optimum', cells: 'optimum over cells', matrix: 'shortest tour', stored: 'file’s optimum' },
-    overspent: (planners: string) => `More than the budget, before the first iteration or in one that had begun: ${planners}.`,
+    overspent: (planners: string) => `Exceeded the budget, before the first iteration or in one that had begun: ${planners}.`,
     upTo: (name: string, most: string) => `${name} (up to ${most})`,
-    measured: (name: string, yardstick: string) => `${name} by the ${yardstick}`,
-    yardsticksDiffer: (measured: readonly string[]) =>
-      `These planners have different exact optima: ${list(measured)}. Gaps, and nearness to the optimum, tell of each by itself; beside each other only their values can be compared.`,
-    yardsticksDifferMaps: (measured: readonly string[]) =>
-      `These planners have different exact optima: ${list(measured)}. Gaps, and nearness to the optimum, tell of each by itself.`,
+    measured: (name: string, reference: string) => `${name} by the ${reference}`,
+    referencesDiffer: (measured: readonly string[]) =>
+      `These planners have different exact optima: ${list(measured)}. Gaps and success rates are not comparable between planners; compare their values.`,
+    referencesDifferMaps: (measured: readonly string[]) =>
+      `These planners have different exact optima: ${list(measured)}. Gaps and success rates are not comparable between planners.`,
     optimum: 'exact optimum',
     chartHint: 'Left and right arrows read the values',
     table: (title: string) => `${title}, the table`,
@@ -89,8 +88,8 @@ export const batch = {
   },
   summary: {
     title: 'Summary',
-    caption: 'Of the feasible runs; lengths and values: small is good.',
-    captionMaps: 'Gaps to each map’s exact optimum, of the feasible runs: small is good.',
+    caption: 'Feasible runs only; lower is better.',
+    captionMaps: 'Gaps to each map’s exact optimum, feasible runs only: lower is better.',
     planner: 'Planner',
     runs: 'Runs',
     feasible: 'Feasible',
@@ -100,9 +99,9 @@ export const batch = {
     median: 'Median',
     worst: 'Worst',
     reached: 'Near optimum',
-    expected: 'Evaluations expected',
+    expected: 'Expected running time',
     expectedHelp:
-      'Evaluations expected: all evaluations until a run came near the optimum, or until its end, for each run that did (the expected running time of Auger and Hansen, 2005), with its bootstrap interval.',
+      'Expected running time (ERT; Auger and Hansen, 2005): the evaluations of all runs until each came near the optimum or ended, divided by the runs that came near it; with its bootstrap interval.',
     endless: '∞',
     optimal: 'Optimal',
     settled: 'Settled',
@@ -123,7 +122,7 @@ export const batch = {
     title: 'Is the difference more than luck?',
     differ: (better: string, others: string) => `${better} is better than ${others}.`,
     than: (name: string, chance: string) => `${name} (${chance})`,
-    chance: 'In parentheses: how often its run is the better one, of two runs, one of each planner.',
+    chance: 'In parentheses: the probability of superiority, that its run is the better one of two runs.',
     same: (names: string) => `No significant difference at 5 % between: ${names}.`,
     allDrawnSame: 'No two of the others differ significantly at 5 %.',
     sure: (names: readonly string[]) =>
@@ -142,8 +141,8 @@ export const batch = {
     note: 'Wilcoxon’s rank-sum test (Mann and Whitney’s U), two-sided; runs without a feasible result rank last, and values that differ by rounding alone are ties. Corrected for the number of pairs after Holm (1979).',
     equal: (p: string) => `= ${p}`,
     looked: (counts: readonly string[]) =>
-      `These tests were seen before, with ${list(counts)} seeds: this is look ${counts.length + 1}. Adding seeds until something differs finds differences that are none more often than in 5 of 100 cases. To be sure, choose another first seed and the number of seeds beforehand.`,
-    early: 'Not all runs are there yet: looking again and again until something differs finds differences that are none.',
+      `These tests were seen before, with ${list(counts)} seeds: this is look ${counts.length + 1}. Adding seeds until a test is significant raises the rate of false positives above 5 %. To be sure, choose another first seed and the number of seeds beforehand.`,
+    early: 'Not all runs are there yet: testing again and again raises the rate of false positives.',
   },
   table: {
     title: 'All runs',

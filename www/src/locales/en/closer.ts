@@ -4,8 +4,8 @@ export const closer = {
     title: 'Centre bias.',
     ratio: (value: string, from: string, to: string) => `${value} (${from}–${to})`,
     shifted: (ratio: string, random: string) =>
-      `With its defaults, in 10 variables and 10,000 evaluations: on functions whose minimum is not in the middle of the search box its gap is ${ratio} times as large; that of random search: ${random} times.`,
-    rotated: (ratio: string) => `On functions whose axes are turned: ${ratio} times.`,
+      `With default parameters, in 10 variables and 10,000 evaluations: shifting the minimum away from the centre of the search box multiplies the gap by ${ratio} (random search: ${random}).`,
+    rotated: (ratio: string) => `Rotating the axes multiplies it by ${ratio}.`,
   },
   inspect: {
     empty: 'Click a path, a point or a cell on the stage to see what is behind it.',

@@ -3,8 +3,6 @@ const list = (names: readonly string[]): string =>
 
 /** Text of a comparison that is watched. */
 export const race = {
-  /** Where racers are measured by different ones. */
-  yardsticks: { 'any-angle': 'any-angle optimum', cells: 'optimum over cells', matrix: 'shortest tour', stored: 'file’s optimum' },
   /** On functions any result may be used. */
   best: (any: boolean) => (any ? 'Best' : 'Feasible best'),
   lanes: 'Planners side by side',
@@ -21,7 +19,7 @@ export const race = {
     none: 'no result yet',
     best: 'best',
     gap: 'gap',
-    to: (yardstick: string) => `to the ${yardstick}`,
+    to: (reference: string) => `to the ${reference}`,
     evaluations: 'evaluations',
     iteration: 'iteration',
     free: 'collision-free',

@@ -70,6 +70,9 @@ fn scenes_of_the_user_take_part_and_bad_ones_are_refused() {
         let output = carry_out(&folder.join("refused"), &scenes);
         assert!(output.status.code() == Some(2) && text(&output.stderr).contains(named), "{}", text(&output.stderr));
     }
-    let output = carry_out(&folder.join("refused"), &["sphere"]);
-    assert!(text(&output.stderr).contains("scenes on which one of the planners runs"), "{}", text(&output.stderr));
+    for scenes in [&["sphere"][..], &["sphere", "wcpso-discs"]] {
+        let output = carry_out(&folder.join("refused"), scenes);
+        let expected = "`scene` is sphere; it must be a scene on which one of the planners runs";
+        assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
+    }
 }

@@ -16,6 +16,7 @@ use super::{
     super::{
         super::{
             failure::{Failure, at},
+            plot::{self, Bar},
             table::{Cell, Table},
         },
         suite::{distinct, recreate_folder, safe_file_name},
@@ -131,7 +132,19 @@ pub(super) fn table(rows: &[Row], folder: &Path) -> Table {
     table
 }
 
-/// Writes the report and, for each planner, the file that `report_test.py` reads.
+/// The challenge's score of each planner in each set, with its interval.
+fn draw(path: &Path, table: &Table) -> Result<(), Failure> {
+    let number = |cell: &Cell| if let Cell::Number(number, _) = cell { Some(*number) } else { None };
+    let name = |cell: &Cell| if let Cell::Text(name) = cell { name.clone() } else { String::new() };
+    let bar = |row: &Vec<Cell>| {
+        let [score, low, high] = [11, 12, 13].map(|column| number(&row[column]));
+        let name = format!("{}, {}", name(&row[1]), name(&row[0]));
+        Some(Bar { name, value: score?, interval: low.zip(high).map(|(low, high)| [low, high]) })
+    };
+    plot::draw_values(path, "the challenge’s score", &table.rows.iter().filter_map(bar).collect::<Vec<_>>())
+}
+
+/// Writes the report with its picture and, for each planner, the file that `report_test.py` reads.
 pub(super) fn write(rows: &[Row], data: &Path, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let logs = folder.join("challenge");
     recreate_folder(&logs)?;
@@ -163,8 +176,11 @@ pub(super) fn write(rows: &[Row], data: &Path, folder: &Path) -> Result<Vec<Path
          those of the worlds that it has. The folder `challenge` has the files for `report_test.py`, which knows every sixth static world.\n",
         rows.len(),
     );
-    text.push_str(&table(rows, data).markdown());
-    let report = folder.join("report.md");
+    let table = table(rows, data);
+    let [report, picture] = ["report.md", "score.svg"].map(|name| folder.join(name));
+    draw(&picture, &table)?;
+    text.push_str(&table.markdown());
+    text.push_str("\n![The challenge’s score of each planner, with 95 % intervals](score.svg)\n");
     fs::write(&report, text).map_err(at(&report))?;
-    Ok(vec![report, logs])
+    Ok(vec![report, picture, logs])
 }

@@ -41,6 +41,8 @@ const FAMILY: &str = "tree";
 /// What is run.
 pub struct Plan {
     scenes: Vec<Arc<Scene>>,
+    /// They were named: each is to be run on.
+    named: bool,
     runs: u64,
     budget: u64,
 }
@@ -61,7 +63,8 @@ impl Plan {
     /// # Errors
     /// Two scenes of the same name.
     pub fn new(registry: &Registry, mut scenes: Vec<Arc<Scene>>, runs: u64, budget: u64) -> Result<Self, Error> {
-        if scenes.is_empty() {
+        let named = !scenes.is_empty();
+        if !named {
             scenes = registry.scenes().iter().filter(|scene| [DISCS, GRID, ARM].contains(&scene.kind())).cloned().collect();
         }
         for (k, scene) in scenes.iter().enumerate() {
@@ -70,7 +73,7 @@ impl Plan {
                 return Err(Error::refused("scene", scene.name(), allowed));
             }
         }
-        Ok(Self { scenes, runs, budget })
+        Ok(Self { scenes, named, runs, budget })
     }
 }
 
@@ -103,9 +106,9 @@ impl Suite for Plan {
                 all.extend((1..=self.runs).map(task));
             }
         }
-        if all.is_empty() {
-            let names: Vec<&str> = self.scenes.iter().map(|scene| scene.name()).collect();
-            return Err(Error::refused("scene", names.join(", "), Message::verbatim("scenes on which one of the planners runs")));
+        let idle = |scene: &&Arc<Scene>| !all.iter().any(|task| task.scene.name() == scene.name());
+        if let Some(scene) = self.scenes.iter().find(idle).filter(|_| self.named || all.is_empty()) {
+            return Err(Error::refused("scene", scene.name(), Message::verbatim("a scene on which one of the planners runs")));
         }
         Ok(all)
     }

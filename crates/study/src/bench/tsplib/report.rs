@@ -88,13 +88,17 @@ fn instances(rows: &[Row]) -> Vec<String> {
 
 /// How the planners rank by the mean length on each instance; one that has not toured it in every run has none.
 fn ranking(rows: &[Row]) -> Ranking {
-    let planners = contenders(rows);
+    let all = instances(rows);
+    // Who cannot run on all of them has no rank.
+    let runs_on_all =
+        |planner: &String| all.iter().all(|instance| rows.iter().any(|row| row.instance == *instance && row.contender() == *planner));
+    let planners: Vec<String> = contenders(rows).into_iter().filter(runs_on_all).collect();
     let cost = |instance: &str, planner: &String| {
         let lengths: Option<Vec<f64>> =
             rows.iter().filter(|row| row.instance == instance && row.contender() == *planner).map(|row| row.length).collect();
         Some(Summary::of(lengths?)?.mean)
     };
-    let costs = instances(rows).iter().map(|instance| planners.iter().map(|planner| cost(instance, planner)).collect()).collect();
+    let costs = all.iter().map(|instance| planners.iter().map(|planner| cost(instance, planner)).collect()).collect();
     Ranking { planners, costs }
 }
 
@@ -121,7 +125,12 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     let x = || Axis::log("stops", rows.iter().map(|row| row.stops as f64));
     let values = |curves: &[Curve]| curves.iter().flat_map(|curve| curve.points.iter().map(|(_, y)| *y)).collect::<Vec<_>>();
     let drawn = curves(rows, |row| row.gap().map(|gap| 100.0 * gap));
-    plot::draw(&gap, &x(), &Axis::linear("gap, %", 0.0, values(&drawn).into_iter()), &drawn, SeriesLabelPosition::UpperLeft)?;
+    let measured = !values(&drawn).is_empty();
+    if measured {
+        plot::draw(&gap, &x(), &Axis::linear("gap, %", 0.0, values(&drawn).into_iter()), &drawn, SeriesLabelPosition::UpperLeft)?;
+    } else {
+        plot::remove(&gap)?;
+    }
     let drawn = curves(rows, |row| Some(row.seconds.max(1e-6)));
     plot::draw(&time, &x(), &Axis::log("mean time, s", values(&drawn).into_iter()), &drawn, SeriesLabelPosition::UpperLeft)?;
     let gaps = gaps(rows);
@@ -139,7 +148,13 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         budgets.join(" or "),
     );
     text.push_str(&planners(rows).markdown());
-    text.push_str("\n![Gap over the stops](gap.svg)\n\n![Seconds over the stops](time.svg)\n\n");
+    if measured {
+        text.push_str("\n![Gap over the stops](gap.svg)\n");
+    }
+    text.push_str("\n![Seconds over the stops](time.svg)\n\n");
+    if lengths.planners.len() < contenders(rows).len() {
+        text.push_str("Planners that do not run on every instance are not ranked.\n\n");
+    }
     text.push_str(&lengths.table("instances, by the mean length").map_or(String::new(), |ranks| ranks.markdown()));
     if ranked {
         text.push_str("\n![Mean ranks, with bars over those that do not differ](ranks.svg)\n\n");
@@ -147,5 +162,5 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     text.push_str("![Share of instances toured within so many times the least length](profile.svg)\n\n");
     text.push_str(&gaps.markdown());
     fs::write(&report, text).map_err(at(&report))?;
-    Ok([report, gap, time, profile].into_iter().chain(ranked.then_some(ranks)).chain([table]).collect())
+    Ok([report, time, profile, table].into_iter().chain(measured.then_some(gap)).chain(ranked.then_some(ranks)).collect())
 }

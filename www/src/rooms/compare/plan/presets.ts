@@ -33,6 +33,14 @@ const PRESETS: readonly Preset[] = [
     speed: 10,
     budget: 10_000,
   },
+  {
+    name: 'shifted',
+    maps: { generator: 'shifted', params: { function: 'rastrigin', dimension: 10 } },
+    entrants: plain('pso', 'wcpso', 'qpso', 'ltqpso'),
+    count: 30,
+    speed: 10,
+    budget: 10_000,
+  },
   { name: 'quantum', scene: 'qpso-10m', entrants: plain('qpso', 'ltqpso'), count: 50, speed: 5 },
   { name: 'ants', scene: 'ant-bat-30', entrants: plain('aco', 'aco-wolf', 'aco-direction', 'aco-dijkstra'), count: 50, speed: 5 },
   {

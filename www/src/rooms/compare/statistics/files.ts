@@ -63,7 +63,11 @@ function tableOf(shown: Shown): Table {
   return {
     columns: [...LEAD, ...names.map((name) => (taken(name) ? `p.${name}` : name)), ...RESULTS],
     rows: shown.groups.flatMap(({ runs, params }) =>
-      runs.map(({ record }) => [...cells(record, LEAD), ...names.map((name) => params[name]), ...cells(record, RESULTS)]),
+      runs.map(({ record, row: { original } }) => [
+        ...cells(record, LEAD),
+        ...names.map((name) => params[name]),
+        ...cells({ ...record, ...original }, RESULTS),
+      ]),
     ),
   }
 }

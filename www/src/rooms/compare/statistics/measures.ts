@@ -12,11 +12,11 @@ export const hasGaps = ({ plan, groups }: Shown): boolean =>
   groups.every(({ runs }) => runs.every(({ record }) => record.value === null || record.gap !== null))
 
 /** A search over cells and one at any angle have optima of their own: their gaps say nothing about each other. */
-export const oneYardstick = ({ groups }: Shown): boolean =>
+export const haveOneReference = ({ groups }: Shown): boolean =>
   new Set(groups.flatMap(({ exact, exactBy }) => (exact === null ? [] : [exactBy]))).size < 2
 
 export const measureOf = (shown: Shown, chosen: Measure | undefined): Measure =>
-  shown.relative ? 'gap' : hasGaps(shown) ? (chosen ?? (oneYardstick(shown) ? 'gap' : 'value')) : 'value'
+  shown.relative ? 'gap' : hasGaps(shown) ? (chosen ?? (haveOneReference(shown) ? 'gap' : 'value')) : 'value'
 
 /** What a run comes to in a measure; null without a feasible result. */
 export const valueIn = (measure: Measure, { value, gap }: { value: number | null; gap: number | null }): number | null =>
@@ -24,7 +24,7 @@ export const valueIn = (measure: Measure, { value, gap }: { value: number | null
 
 /** What the values are. */
 export function titleOf(shown: Shown, measure: Measure): string {
-  if (measure === 'gap') return oneYardstick(shown) ? text.results.gapAxis : text.results.gapAxisOwn
+  if (measure === 'gap') return haveOneReference(shown) ? text.results.gapAxis : text.results.gapAxisOwn
   return shown.plan.scene.kind === 'function' ? text.results.cost : text.results.length
 }
 

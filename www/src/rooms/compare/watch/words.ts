@@ -1,4 +1,5 @@
 import type { Outcome, Scene } from 'forage-lab'
+import { compare as plan } from '../../../locales/en/compare'
 import { race as text } from '../../../locales/en/race'
 import { number, percent } from '../../../text/number'
 import { unitOf } from '../../../text/unit'
@@ -32,14 +33,14 @@ export function gapOf(lane: Lane): string | null {
 }
 
 /** Whose optimum a racer's gap is measured by, where others race by another: their gaps say nothing about each other. */
-export function yardstickOf(lane: Lane, lanes: readonly Lane[]): string | null {
+export function referenceOf(lane: Lane, lanes: readonly Lane[]): string | null {
   const ruleOf = (one: Lane): Exclude<Outcome['exact_by'], 'refuted'> | null => {
     const { racing, outcome } = one
     return racing && outcome && outcome.exact_by !== 'refuted' && outcome.exact !== null ? outcome.exact_by : null
   }
   const own = ruleOf(lane)
   const rules = new Set(lanes.map(ruleOf).filter((rule) => rule !== null))
-  return own !== null && rules.size > 1 ? text.yardsticks[own] : null
+  return own !== null && rules.size > 1 ? plan.references[own] : null
 }
 
 /** Whether the best may be used, in words; nothing where anything may. */
