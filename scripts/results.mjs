@@ -51,7 +51,7 @@ function centreBias(own) {
   ].join(' ')
 }
 
-function movingai(own) {
+function movingai({ all, ...own }) {
   const rows = rowsOf(own)
   const [planner, problems, , optimal] = own.columns
   const exact = rows.filter((row) => Number(row[optimal]) === Number(row[problems]))
@@ -66,7 +66,7 @@ function movingai(own) {
   ].join(' ')
 }
 
-function tsplib({ same, ...own }) {
+function tsplib({ same, all, ...own }) {
   const spent = (planner) => rowsOf(own).find((row) => row.planner === planner)?.['mean evaluations per stop'] ?? ''
   const ours = Object.entries(same.gaps).sort((a, b) => a[1] - b[1])
   const better = ours.filter(([, gap]) => gap < same['OR-Tools'])
@@ -130,6 +130,24 @@ export function machine({ machine: { cpu, cores, memory_gib, system, forage, pyt
   return `The results below were measured on ${cpu}, ${cores} cores, ${memory_gib} GiB, ${system}, with Forage ${forage}; peers with Python ${python}, ${list(named)}. \`scripts/benchmarks.py\` measures them; no number is typed by hand. Evaluations, lengths, gaps and scores are the same on every machine; times are not.`
 }
 
+/** What a second table shows: all planners of a suite, or all of its problems. */
+const ALL = {
+  movingai(own) {
+    const rows = rowsOf(own)
+    const optimal = rows.filter((row) => row.optimal === row.problems).map((row) => code(row.planner))
+    const free = rows.filter((row) => Number(row['mean gap, %']) < 0).map((row) => code(row.planner))
+    return [
+      'All planners on the smallest of these maps, one problem of each bucket.',
+      `The optimum in all problems: ${list(optimal)}.`,
+      `Not bound to grid paths, and shorter on average: ${list(free)}.`,
+    ].join(' ')
+  },
+  tsplib(own) {
+    const [row] = rowsOf(own)
+    return `All ${row.instances} instances: ${code(row.planner)} stops at a local optimum, with a median gap of ${number(row['median gap, %'])} %.`
+  },
+}
+
 /** A suite’s results: its command, its table, and what that shows. */
 export function results(all, suite, table) {
   const own = all[suite]
@@ -137,5 +155,8 @@ export function results(all, suite, table) {
   const rows = [...own.rows, ...(Array.isArray(own.peers) ? own.peers : [])].map((row) =>
     row.map((cell, k) => (k === 0 ? cell : number(cell))),
   )
-  return `    ${own.command}\n\n${table(own.columns, rows)}\n\n${SAYS[suite](own)}`
+  const shown = `    ${own.command}\n\n${table(own.columns, rows)}\n\n${SAYS[suite](own)}`
+  if (!own.all) return shown
+  const more = own.all.rows.map((row) => row.map((cell, k) => (k === 0 ? cell : number(cell))))
+  return `${shown}\n\n    ${own.all.command}\n\n${table(own.all.columns, more)}\n\n${ALL[suite](own.all)}`
 }

@@ -3,6 +3,8 @@
 scripts/test runs this with the Python of target/bench.
 """
 
+import csv
+import json
 import os
 import subprocess
 import sys
@@ -190,6 +192,34 @@ class Curves(unittest.TestCase):
             rows = polars.read_csv(Path(folder) / "sweep.csv")
             last = parquet.group_by("planner", "w", "seed", maintain_order=True).last()
             self.assertEqual(last["value"].to_list(), rows["value"].to_list())
+
+
+class Published(unittest.TestCase):
+    """What docs/benchmarks.json has, from which the book is made, is what Forage finds now. Times are left out."""
+
+    @staticmethod
+    def results(suite):
+        return json.loads((ROOT / "docs/benchmarks.json").read_text())[suite]
+
+    def measured(self, *arguments):
+        folder = self.enterContext(tempfile.TemporaryDirectory(prefix="forage-"))
+        subprocess.run([str(FORAGE), "bench", *arguments, "--out", folder], check=True, capture_output=True)
+        with open(Path(folder) / "table.csv", newline="") as lines:
+            return list(csv.DictReader(lines))
+
+    def test_bbob(self):
+        stored = self.results("bbob")
+        command = stored["command"].split()[2:]
+        command[command.index("--dimensions") + 1] = "2"
+        column = stored["columns"].index("D = 2")
+        self.assertEqual({row["planner"]: row["D = 2"] for row in self.measured(*command)}, {row[0]: row[column] for row in stored["rows"]})
+
+    def test_trees(self):
+        stored = self.results("trees")
+        times = {"time, ms"}
+        expected = [{name: cell for name, cell in zip(stored["columns"], row) if name not in times} for row in stored["rows"]]
+        found = self.measured(*stored["command"].split()[2:])
+        self.assertEqual([{name: cell for name, cell in row.items() if name not in times} for row in found], expected)
 
 
 if __name__ == "__main__":

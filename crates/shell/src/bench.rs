@@ -158,7 +158,7 @@ fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
     for name in &args.planners {
         let found = all_planners.iter().find(|contender| contender.planner == *name);
         let found =
-            found.ok_or_else(|| Error::refused("--planners", name.as_str(), Message::verbatim(format!("of {}", known.join(", ")))))?;
+            found.ok_or_else(|| Error::refused("--planners", name.as_str(), Message::verbatim(format!("one of {}", known.join(", ")))))?;
         if chosen.iter().any(|contender| contender.planner == *name) {
             return Err(Error::refused("--planners", name.as_str(), Message::verbatim("named once")).into());
         }
