@@ -1,4 +1,5 @@
 import { compare, generateScene, reached, type TrialRecord } from '../../pkg/node.js'
+import { moreIterations } from '../src/engine/budget'
 import { batch as text } from '../src/locales/en/batch'
 import { compare as plan } from '../src/locales/en/compare'
 import { PADDING, ROW } from '../src/render/plot/statistics/layout'
@@ -6,7 +7,7 @@ import { digitsFor } from '../src/rooms/compare/statistics/words'
 import { exactly, number, percent } from '../src/text/number'
 import { violations } from './support/axe'
 import { budget, download, finished, keep, openBatch, seeds } from './support/batch'
-import { iterationsOf, trialOf } from './support/core'
+import { hashOf, iterationsOf, sessionAt, trialOf } from './support/core'
 import { en, expect, test, pick } from './support/lab'
 import { Race } from './support/race'
 
@@ -472,6 +473,14 @@ test('a budget is spent where the first iteration misleads, as in the shell; wha
   const rows = lines.map((line) => Object.fromEntries(line.split(',').map((cell, at) => [head.split(',')[at] ?? '', cell])))
   const spent = rows.filter(({ planner }) => planner === 'hybrid-bat').map(({ evaluations }) => Number(evaluations))
   expect(spent.every((evaluations) => evaluations >= 3000 && evaluations < 3300)).toBe(true)
+  // As the first iteration lets expect, and then as many more as the budget was not spent.
+  for (const { seed, limit, iterations, hash } of rows.filter(({ planner }) => planner === 'hybrid-bat')) {
+    const setup = { planner: 'hybrid-bat', scene: 'random-52', seed: Number(seed) }
+    const first = iterationsOf(setup, 3000)
+    const evaluations = sessionAt({ ...setup, params: { iterations: first } }, first, (session) => session.evaluations)
+    expect(Number(limit)).toBe(moreIterations({ evaluations, iteration: first, limit: first }, 3000, 1e6))
+    expect(hashOf({ ...setup, params: { iterations: Number(limit) } }, Number(iterations))).toBe(hash)
+  }
   const most = Math.max(...rows.filter(({ planner }) => planner === 'bat').map(({ evaluations }) => Number(evaluations)))
   await expect(page.getByTestId('batch-overspent')).toContainText(text.results.upTo('Discrete bats', number(most)))
   await expect(page.getByTestId('batch-overspent')).not.toContainText('perturbation')
