@@ -4,6 +4,7 @@
 const rowsOf = ({ columns, rows }) => rows.map((row) => Object.fromEntries(columns.map((name, k) => [name, row[k]])))
 
 const number = (text, digits = 3) => {
+  if (text === undefined) throw new Error('docs/benchmarks.json lacks what scripts/results.mjs says of it: measure again')
   const value = Number(text)
   if (text === '' || !Number.isFinite(value)) return text
   if (Number.isInteger(value)) return String(value)
@@ -67,7 +68,7 @@ function movingai({ all, ...own }) {
 }
 
 function tsplib({ same, all, ...own }) {
-  const spent = (planner) => rowsOf(own).find((row) => row.planner === planner)?.['mean evaluations per stop'] ?? ''
+  const spent = (planner) => rowsOf(own).find((row) => row.planner === planner)?.['mean evaluations per stop']
   const ours = Object.entries(same.gaps).sort((a, b) => a[1] - b[1])
   const better = ours.filter(([, gap]) => gap < same['OR-Tools'])
   return [

@@ -127,7 +127,7 @@ mod tests {
     /// The digest of the texts of 20,000 random numbers, which tests/wasm.test.mjs compares.
     const TEXTS: &str = "dd9a836bc19eeaf5";
 
-    /// All bit patterns homogeneous_groups, and numbers of every usual size.
+    /// All bit patterns alike, and numbers of every usual size.
     fn numbers() -> impl Iterator<Item = f64> {
         let mut state = 1_u64;
         let mut next = move || {

@@ -26,7 +26,8 @@ pub struct Trial(pub(crate) trial::Trial);
 
 #[wasm_bindgen]
 impl Trial {
-    /// Starts a run at iteration 0. `within`: how near to the exact optimum counts as reached, 0.01 unless given.
+    /// Starts a run at iteration 0. `within`: how near to the exact optimum counts as reached, a share of it or on functions a
+    /// difference; 0.01 unless given.
     ///
     /// # Errors
     /// As the constructor of `Session`, and for a `within` that is no number from 0 to 1,000,000.

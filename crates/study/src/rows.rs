@@ -124,6 +124,10 @@ impl<R: KeyedRow> Rows<R> {
 pub fn repair<R: KeyedRow>(path: &Path) -> Result<Option<String>, Failure> {
     let Ok(mut file) = File::open(path) else { return Ok(None) };
     locked(file.try_lock(), path)?;
+    // What is too large is refused as a whole.
+    if file.metadata().map_err(at(path))?.len() > LARGEST {
+        return Ok(None);
+    }
     let mut bytes = Vec::new();
     Read::by_ref(&mut file).take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
     let mut lines_read = 0;

@@ -83,7 +83,7 @@ test('with an equal budget planners end at the same evaluations, each within its
           status = trial.step(1)
           most = Math.max(most, trial.evaluations - before)
         }
-        iterations = moreIterations(trial, budget, 1e6)
+        iterations = moreIterations(trial, iterations, budget, 1e6)
         enough = iterations === null
         expect(trial.evaluations, `${setup.planner} in ${preset.name}`).toBeLessThan(budget + Math.max(most, spending.step))
         trial.free()

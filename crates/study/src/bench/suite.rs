@@ -127,7 +127,8 @@ pub fn merge_parts<A: SuiteJob>(file: &Path, parts: &[PathBuf], attempts: &[A], 
         }
     }
     if stop.load(Ordering::Relaxed) {
-        return Err(Failure::Interrupted { done: known.len(), total: attempts.len(), rows: file.to_owned() });
+        let done = attempts.iter().filter(|attempt| known.contains(&attempt.key())).count();
+        return Err(Failure::Interrupted { done, total: attempts.len(), rows: file.to_owned() });
     }
     Ok(())
 }

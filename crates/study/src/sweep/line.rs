@@ -190,10 +190,10 @@ impl Format {
             "refuted" => ReferenceOptimum::Refuted,
             _ => ReferenceOptimum::AnyAngle,
         };
-        let measured = number("exact")?.is_some();
+        let exact = number("exact")?;
         let (value, reached, deterministic) = (number("value")?, number("reached")?, flag("deterministic")?);
         let evaluations = number("evaluations")?.ok_or_else(|| damaged(&"evaluations is missing"))?;
-        Ok((job, RunStatistics { value, reached, evaluations, measured, by, deterministic }))
+        Ok((job, RunStatistics { value, reached, evaluations, measured: exact.is_some(), zero: exact == Some(0.0), by, deterministic }))
     }
 }
 
@@ -224,6 +224,8 @@ pub(super) struct RunStatistics {
     pub(super) evaluations: f64,
     /// There is an optimum to measure it by.
     pub(super) measured: bool,
+    /// It is 0.
+    pub(super) zero: bool,
     /// Which one.
     pub(super) by: ReferenceOptimum,
     /// No random number has a part in it.
@@ -236,7 +238,15 @@ impl From<&Record> for RunStatistics {
         let value = record.value.filter(|value| value.is_finite());
         let reached = record.reached.map(|evaluations| evaluations as f64);
         let (evaluations, deterministic) = (record.evaluations as f64, record.deterministic);
-        Self { value, reached, evaluations, measured: record.exact.is_some(), by: record.exact_by, deterministic }
+        Self {
+            value,
+            reached,
+            evaluations,
+            measured: record.exact.is_some(),
+            zero: record.exact == Some(0.0),
+            by: record.exact_by,
+            deterministic,
+        }
     }
 }
 

@@ -33,11 +33,20 @@ pub fn paths_of(report: &Path) -> [PathBuf; 3] {
     PICTURES.map(|(name, _)| report.with_extension(format!("{name}.svg")))
 }
 
-/// Draws what there is to draw of a sweep whose rows are all there, and returns Markdown that shows it.
+/// Whether there can be pictures next to a report: it is a file.
+pub fn has_pictures(report: &Path) -> bool {
+    report.metadata().map_or(true, |metadata| metadata.is_file())
+}
+
+/// Draws what there is to draw of a sweep whose rows are all there, and returns Markdown that shows it. Next to a device, such as standard
+/// output, there are no pictures.
 ///
 /// # Errors
 /// A file that cannot be written.
 pub fn draw(kept: &Kept, summary: &SweepStatistics, report: &Path) -> Result<String, Failure> {
+    if !has_pictures(report) {
+        return Ok(String::new());
+    }
     let [reached, profile, ranks] = paths_of(report);
     let sweep = kept.sweep();
     let mut drawn = [false; 3];
@@ -45,7 +54,9 @@ pub fn draw(kept: &Kept, summary: &SweepStatistics, report: &Path) -> Result<Str
     if sweep.groups() <= MOST_DRAWN {
         let names: Vec<String> =
             summary.scenes.first().map_or(&[] as &[_], |scene| &scene.groups).iter().map(|group| group.summary.name.clone()).collect();
-        let cells = (0..sweep.scenes.len()).flat_map(|scene| (0..sweep.seeds()).map(move |seed| (scene, seed)));
+        // Where there is no optimum nothing can be near it.
+        let measured = |scene: &usize| summary.scenes[*scene].groups.iter().any(|group| group.exact_by.is_some());
+        let cells = (0..sweep.scenes.len()).filter(measured).flat_map(|scene| (0..sweep.seeds()).map(move |seed| (scene, seed)));
         let hit = |scene, seed, group| kept.statistics_of(sweep.cell_of(scene, group) * sweep.seeds() + seed).and_then(|told| told.reached);
         let costs: Vec<Vec<Option<f64>>> =
             cells.map(|(scene, seed)| (0..sweep.groups()).map(|group| hit(scene, seed, group)).collect()).collect();

@@ -98,7 +98,7 @@ pub struct Sweep {
     pub name: String,
     /// What is planned in; no two have one name.
     pub scenes: Vec<Arc<Scene>>,
-    /// How near to the exact optimum counts as reached, as a share of it.
+    /// How near to the exact optimum counts as reached: a share of it, on functions a difference.
     pub within: f64,
     /// When runs are stopped.
     pub budget: Budget,

@@ -71,7 +71,9 @@ pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str
     let seeds = seeds(given.seeds.as_ref())?;
     let within = given.within.map_or(Ok(WITHIN), |within| {
         let share = number(&within).filter(|share| (0.0..=1e6).contains(share));
-        share.ok_or_else(|| refused("within", &within, "a number from 0 to 1000000, a share of the exact optimum"))
+        share.ok_or_else(|| {
+            refused("within", &within, "a number from 0 to 1000000, a share of the exact optimum, or on functions a difference")
+        })
     })?;
     let out = given.out.map(|out| plain_text("out", &out).map(PathBuf::from)).transpose()?;
     out.as_deref().map(|out| Format::of("out", out)).transpose()?;

@@ -69,7 +69,7 @@ pub struct SceneStatistics {
     /// Every pair of the stochastic ones; the correction is for the scene's pairs. `None` of more than thirty groups.
     pub pairs: Option<Vec<Pair>>,
     #[serde(skip)]
-    /// Whether near the optimum means a difference, and not a share of it: on functions.
+    /// Whether near the optimum means a difference, and not a share of it: on functions, and where it is 0.
     by_difference: bool,
 }
 
@@ -110,11 +110,15 @@ impl SweepStatistics {
             let first = sweep.cell_of(scene, group) * sweep.seeds();
             (first..first + sweep.seeds()).filter_map(|job| kept.statistics_of(job)).collect()
         };
-        let scenes = (0..sweep.scenes.len()).map(|scene| SceneStatistics {
-            scene: sweep.scenes[scene].name().to_owned(),
-            budget: sweep.allowances[scene],
-            by_difference: sweep.scenes[scene].minimum().is_some(),
-            ..SceneStatistics::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
+        let scenes = (0..sweep.scenes.len()).map(|scene| {
+            let found =
+                SceneStatistics::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect());
+            SceneStatistics {
+                scene: sweep.scenes[scene].name().to_owned(),
+                budget: sweep.allowances[scene],
+                by_difference: found.by_difference || sweep.scenes[scene].minimum().is_some(),
+                ..found
+            }
         });
         let scenes: Vec<SceneStatistics> = scenes.collect();
         let draws = |group: &usize| scenes.iter().any(|scene| scene.groups[*group].draws_lots);
@@ -260,6 +264,7 @@ impl SceneStatistics {
     fn of(registry: &Registry, told: Vec<((&str, Pairs), Vec<RunStatistics>)>) -> Self {
         let mut groups = Vec::with_capacity(told.len());
         let mut reached = Vec::with_capacity(told.len());
+        let mut by_difference = false;
         let (_, common) = told.first().map_or(("", Vec::new()), |(group, _)| group.clone());
         let common: Vec<_> = common.into_iter().filter(|pair| told.iter().all(|((_, set), _)| set.contains(pair))).collect();
         for ((planner, parameters), runs) in told {
@@ -269,6 +274,7 @@ impl SceneStatistics {
             let parameters: Overrides = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
             let near = runs.iter().filter(|told| told.reached.is_some()).count();
             let measured = runs.iter().find(|told| told.measured);
+            by_difference |= runs.iter().any(|told| told.zero);
             let draws_lots = runs.len() < 2 || runs.iter().any(|told| !told.deterministic);
             let times: Vec<Attempt> = runs.iter().map(|told| Attempt { hit: told.reached, spent: told.evaluations }).collect();
             let spent = forage::statistics::Summary::of(runs.iter().map(|told| told.evaluations));
@@ -298,7 +304,7 @@ impl SceneStatistics {
                 summary,
             }
         });
-        Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, by_difference: false }
+        Self { scene: String::new(), budget: None, groups: groups.collect(), pairs, by_difference }
     }
 
     fn table(&self, within: f64) -> Table {
@@ -324,7 +330,7 @@ impl SceneStatistics {
         ];
         let number = |number: f64| value_text(&forage::Value::Number(number));
         let near = if self.by_difference {
-            format!("{} of the exact minimum", number(within))
+            format!("{} of the exact optimum", number(within))
         } else {
             format!("{} % of the exact optimum", number(100.0 * within))
         };

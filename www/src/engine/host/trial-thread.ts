@@ -73,15 +73,16 @@ function compared(trial: Trial, maps: Maps | null): Pick<Row, 'record' | 'origin
   return { record: { ...record, value: value - exact, exact: 0 }, original: { value, exact }, curve }
 }
 
-/** What a run spends that has just begun. */
-async function spendingOf(trial: Trial): Promise<Spending> {
+/** What a run spends that has just begun; null if it was called off. */
+async function spendingOf(trial: Trial): Promise<Spending | null> {
   const { evaluations: start, limit } = trial
   for (;;) {
     const idle = trial.iteration
     let status = trial.advance(1)
     for (; status === 'partly' && !stopped; status = trial.advance(1)) await breathe()
     const step = trial.evaluations - start
-    if (step > 0 || status !== 'running' || stopped) return { start, idle, step, limit }
+    if (stopped) return null
+    if (step > 0 || status !== 'running') return { start, idle, step, limit }
     await breathe()
   }
 }
@@ -132,16 +133,28 @@ const api = {
       return { is: 'refused', refusal: refusedBy(error) }
     }
     try {
-      let iterations = budget === null || most === null ? null : iterationsFor(await spendingOf(trial), budget, most)
+      let iterations: number | null = null
+      if (budget !== null && most !== null) {
+        const spending = await spendingOf(trial)
+        if (!spending) return { is: 'stopped' }
+        iterations = iterationsFor(spending, budget, most)
+      }
       for (let again = 0; ; again += 1) {
         if (iterations !== null) {
-          const longer = new Trial({ ...given, params: { ...given.params, iterations } } as Setup, undefined)
+          let longer: Trial
+          try {
+            longer = new Trial({ ...given, params: { ...given.params, iterations } } as Setup, undefined)
+          } catch (error) {
+            const refusal = refusalOf(error)
+            if (!refusal) throw error
+            return { is: 'refused', refusal }
+          }
           trial.free()
           trial = longer
         }
         if (stopped || !(await stepToEnd(trial, budget, setup.code !== undefined))) return { is: 'stopped' }
         if (iterations === null || budget === null || most === null || again === AGAIN) break
-        iterations = moreIterations(trial, budget, most)
+        iterations = moreIterations(trial, iterations, budget, most)
         if (iterations === null) break
       }
       const row: Row = { ...compared(trial, maps), link: trial.link() + (code.ok ? code.value : '') }
@@ -166,8 +179,8 @@ const api = {
     }
   },
 
-  /** What a run spends. */
-  async spends(setup: RunSetup): Promise<Answer<Spending>> {
+  /** What a run spends; null if that was called off. */
+  async spends(setup: RunSetup): Promise<Answer<Spending | null>> {
     stopped = false
     const plain = await registered(setup)
     if (!plain.ok) return plain

@@ -79,8 +79,7 @@ export const batch = {
     reachedHint: 'Share of the runs that had come within 1 % of the exact optimum. Runs that never do keep it below 100 %.',
     reachedHintOwn:
       'Share of the runs that had come within 1 % of the exact optimum, each planner of its own. Runs that never do keep it below 100 %.',
-    reachedHintZero:
-      'Share of the runs that had come within 0.01 of the exact optimum, which is 0 here. Runs that never do keep it below 100 %.',
+    reachedHintFunction: 'Share of the runs that had come within 0.01 of the exact minimum. Runs that never do keep it below 100 %.',
     reachedLabel: (shares: string) => `Share of runs that came near the exact optimum, over evaluations. In the end ${shares}.`,
     reachedHintMaps: 'Share of the runs that had come within 1 % of their map’s exact optimum. Runs that never do keep it below 100 %.',
     reachedNone: 'The exact optimum of this scene is not known.',

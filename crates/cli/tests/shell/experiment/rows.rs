@@ -200,7 +200,7 @@ fn statistics_are_those_of_the_rows() {
     let mean = printed["scenes"][1]["groups"][2]["summary"]["mean"].as_f64().unwrap();
     for part in [
         "pso w=0.8 c1=2",
-        "within 0.01 of the exact minimum",
+        "within 0.01 of the exact optimum",
         "within 1 % of the exact optimum\n",
         "corrected for 3 tests (Holm)",
         "95 % confidence",

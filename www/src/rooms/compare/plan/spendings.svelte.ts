@@ -28,13 +28,13 @@ export class Spendings {
       const controller = new AbortController()
       this.asked.set(key, controller)
       void pool()
-        .run<Answer<Spending>>((api) => api.spends(setup), { signal: controller.signal, watched: isWatched(setup) })
+        .run<Answer<Spending | null>>((api) => api.spends(setup), { signal: controller.signal, watched: isWatched(setup) })
         .then((answer) => (answer.ok ? answer.value : answer.refusal.message))
         .catch((error: unknown) => (error instanceof Aborted ? null : error instanceof Error ? error.message : String(error)))
         .then((found) => {
           this.asked.delete(key)
-          if (found === null) return
-          this.known = { ...this.known, [key]: found }
+          // What was called off is asked again if it is wanted by now.
+          if (found !== null && !controller.signal.aborted) this.known = { ...this.known, [key]: found }
           told()
         })
     }

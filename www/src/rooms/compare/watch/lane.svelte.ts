@@ -204,6 +204,7 @@ export class Lane {
 
   /** Where it is at a time of the race; nothing if it was called elsewhere meanwhile. */
   async go(clock: number): Promise<Report | null> {
+    this.halted = false
     for (;;) {
       const report = await this.reach(clock)
       const more = report && this.lacks(report)
@@ -211,23 +212,28 @@ export class Lane {
       this.pass(report)
       this.iterations = more
       this.again += 1
-      if (!(await this.begin())) return null
+      const begun = this.begin()
+      // It can be called back meanwhile, too.
+      this.underway = true
+      if (!(await begun) || this.halted) {
+        this.underway = false
+        return null
+      }
     }
   }
 
   /** With how many iterations it has to begin again: those that it has end before its budget. */
   private lacks({ status, iteration, evaluations }: Report): number | null {
-    const { iterations: limit } = this
+    const { iterations, run } = this
     const { spends } = this.wanted ?? {}
-    if (!spends || limit === null || status === 'running' || this.again === AGAIN) return null
-    return moreIterations({ iteration, evaluations, limit }, spends.budget, spends.most)
+    if (!spends || iterations === null || !run || status === 'running' || this.again === AGAIN) return null
+    return moreIterations({ iteration, evaluations, limit: run.limit }, iterations, spends.budget, spends.most)
   }
 
   private reach(clock: number): Promise<Report | null> {
     if (!this.racing) return Promise.resolve(null)
     this.arrive(null)
     this.underway = true
-    this.halted = false
     this.client.want({ target: { at: clock, play: false }, summary: false })
     return new Promise((resolve) => (this.onarrived = resolve))
   }
