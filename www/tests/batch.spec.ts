@@ -1,5 +1,5 @@
 import { compare, generateScene, reached, type TrialRecord } from '../../pkg/node.js'
-import { moreIterations } from '../src/engine/budget'
+import { allOf, moreIterations } from '../src/engine/budget'
 import { batch as text } from '../src/locales/en/batch'
 import { compare as plan } from '../src/locales/en/compare'
 import { PADDING, ROW } from '../src/render/plot/statistics/layout'
@@ -535,4 +535,19 @@ test('instances of a function have other optima: runs are compared by how far ab
   expect(saved.map(told)).toEqual(
     records.map(({ value, exact, reached: after }) => [value, exact, after].map((cell) => String(cell ?? ''))),
   )
+})
+
+test('what a planner spends is asked again if that was called off', async ({ lab, page }) => {
+  // Its first iteration takes a while: it is called off within it.
+  await lab.open('#view=compare&as=statistics&scene=random-280&seeds=1-2&with=hybrid-bat,bat')
+  await expect(page.getByTestId('entrant')).toHaveCount(2)
+  await page.getByTestId('entrant-remove').first().click()
+  await page.getByTestId('entrant-remove').first().click()
+  await page.getByTestId('entrant-restore').click()
+  await expect(page.getByTestId('entrant')).toHaveCount(1)
+  await expect(page.locator('[data-testid=entrant][data-planner=bat]')).toBeVisible()
+  const setup = { planner: 'bat', scene: 'random-280', seed: 1 }
+  const [start, limit] = sessionAt(setup, 0, (session) => [session.evaluations, session.limit])
+  const step = sessionAt(setup, 1, (session) => session.evaluations) - start
+  await expect(page.getByTestId('batch-budget')).toHaveValue(String(allOf({ start, idle: 0, step, limit })), { timeout: 20_000 })
 })

@@ -416,7 +416,10 @@ export class Comparison {
   /** Asks what the entrants spend, where that decides how long they run. */
   private ask(): void {
     const wanted = this.plan?.budget === 'own' ? [] : this.standings.flatMap(({ spending }) => spending ?? [])
-    this.spendings.ask(wanted, () => this.tell())
+    this.spendings.ask(wanted, () => {
+      this.tell()
+      this.ask()
+    })
   }
 
   private tell(): void {
