@@ -5,7 +5,7 @@ use std::sync::{
     atomic::{AtomicBool, Ordering},
 };
 
-/// Only one handler can be set: whoever asks has the same flag.
+/// Only one handler can be set, so there is one flag.
 static INTERRUPTED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// Becomes true at the first Ctrl-C. If no handler can be set, the first Ctrl-C ends the program.

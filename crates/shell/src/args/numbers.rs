@@ -1,0 +1,36 @@
+//! Numbers as options take them: what is refused says what is allowed.
+
+use std::num::NonZeroUsize;
+
+pub(super) fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = whole_number(text, 1, 1024)?;
+    // It is at least 1.
+    Ok(usize::try_from(threads).ok().and_then(NonZeroUsize::new).unwrap_or(NonZeroUsize::MIN))
+}
+
+pub(super) fn many(text: &str) -> Result<NonZeroUsize, String> {
+    let number = whole_number(text, 1, 1_000_000)?;
+    Ok(usize::try_from(number).ok().and_then(NonZeroUsize::new).unwrap_or(NonZeroUsize::MIN))
+}
+
+pub(super) fn runs(text: &str) -> Result<u64, String> {
+    whole_number(text, 2, 1_000_000)
+}
+
+pub(super) fn seconds(text: &str) -> Result<u64, String> {
+    whole_number(text, 1, 86_400)
+}
+
+pub(super) fn problem(text: &str) -> Result<usize, String> {
+    // No file of problems can hold more.
+    whole_number(text, 0, u64::from(u32::MAX)).map(|number| number as usize)
+}
+
+pub(super) fn whole<const LEAST: u64, const MOST: u64>(text: &str) -> Result<u64, String> {
+    whole_number(text, LEAST, MOST)
+}
+
+pub(super) fn whole_number(text: &str, least: u64, most: u64) -> Result<u64, String> {
+    let number = text.parse().ok().filter(|number| (least..=most).contains(number));
+    number.ok_or_else(|| format!("it must be a whole number from {least} to {most}"))
+}
