@@ -6,7 +6,9 @@ import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { gzipSync } from 'node:zlib'
+import { languageOf, saidAt, tagsOf } from '../scripts/languages/folder.mjs'
 import { pattern } from './fluent.mjs'
+import { described } from './texts.js'
 
 const [folder, list, shell] = process.argv.slice(2)
 const require = createRequire(new URL('../www/package.json', import.meta.url))
@@ -28,19 +30,26 @@ const text = ${JSON.stringify(JSON.stringify(catalogue))}
 `,
 )
 
-// Words: of each part those whose keys it carries, in its own files or in what it shares.
-const messages = Object.fromEntries(JSON.parse(run(shell, 'list', '--messages')).map((message) => [message.key, pattern(message)]))
+// Words: of each part those whose keys it carries, in its own files or in what it shares. What a language lacks is said in English.
+const locales = new URL('../locales', import.meta.url).pathname
+const english = Object.fromEntries(JSON.parse(run(shell, 'list', '--messages')).map((message) => [message.key, pattern(message)]))
 const carried = (names) => names.map((name) => read(`${name}.wasm`).toString('latin1'))
-const wordsOf = (texts) => Object.entries(messages).filter(([key]) => texts.some((text) => text.includes(key)))
+const keysOf = (texts) => Object.keys(english).filter((key) => texts.some((text) => text.includes(key)))
 // That the module is dead is said without it.
-const first = wordsOf([...carried(['forage_bg']), read('guard.js').toString()])
-mkdirSync(`${folder}/locales/en`, { recursive: true })
-write('locales/en.json', JSON.stringify(messages))
-write('locales/en/swarm.json', JSON.stringify(Object.fromEntries(first)))
-const known = new Set(first.map(([key]) => key))
-for (const part of parts) {
-  const own = wordsOf(carried(files[part])).filter(([key]) => !known.has(key))
-  write(`locales/en/${part}.json`, JSON.stringify(Object.fromEntries(own)))
+const first = keysOf([...carried(['forage_bg']), read('guard.js').toString()])
+const keys = { swarm: first }
+for (const part of parts) keys[part] = keysOf(carried(files[part])).filter((key) => !first.includes(key))
+const known = Object.keys(english).filter((key) => !key.startsWith('shell-'))
+const tags = ['en', ...tagsOf(locales)]
+for (const tag of tags) {
+  const language = tag === 'en' ? { messages: {}, texts: {} } : languageOf(`${locales}/${tag}`)
+  const wordsOf = (own) => JSON.stringify(Object.fromEntries(own.map((key) => [key, language.messages[key]?.says || english[key]])))
+  mkdirSync(`${folder}/locales/${tag}`, { recursive: true })
+  write(`locales/${tag}.json`, wordsOf(known))
+  for (const [part, own] of Object.entries(keys)) write(`locales/${tag}/${part}.json`, wordsOf(own))
+  if (tag === 'en') continue
+  const texts = Object.entries(described(catalogue)).map(([path, text]) => saidAt(language.texts[text], path) || text)
+  write(`locales/${tag}/catalogue.json`, JSON.stringify(texts))
 }
 
 // What comes with its library inside: what says messages, and sessions in threads.
@@ -99,16 +108,18 @@ const partsFile = (holds, scenes = []) => `// What is in which part of the modul
 export const urls = ${tableOf(wasm, (name) => `${name}.wasm`)}
 export const files = ${JSON.stringify(files)}
 export const holds = ${JSON.stringify(holds)}
+export const languages = ${JSON.stringify(tags)}
 export const scenes = ${tableOf(scenes, (part) => `scenes/${part}.json`)}
 /** What code that is not trusted runs in. */
 export const interpreter = ${address('interpreter.wasm')}
 `
 
+const wordsIn = (tag) => `  '${tag}': ${tableOf(Object.keys(keys), (part) => `locales/${tag}/${part}.json`).replaceAll('\n', '\n  ')},\n`
 write(
-  'english.js',
-  `// What is said in English, and where the words of each part are. Written by package/complete.mjs.
+  'languages.js',
+  `// The languages, and where the words of each part are. Written by package/complete.mjs.
 export { speaker } from './words.js'
-export const words = ${tableOf(['swarm', ...parts], (part) => `locales/en/${part}.json`)}
+export const words = {\n${tags.map(wordsIn).join('')}}
 `,
 )
 
@@ -323,6 +334,15 @@ export type Say = (key: string, args: Record<string, number | string>) => string
 /** Sets how messages are said. Without it they are English. */
 export function speakBy(say: Say): void;
 
+/** A language that messages are said in. */
+export type Language = ${oneOf(tags)};
+
+/**
+ * Has messages (errors, explanations, events) said in another language from now on. A catalogue in it is
+ * \`translated(catalogue(), texts)\` of \`forage-lab/texts\`. Throws if there is no such language.
+ */
+export function speakIn(language: Language): Promise<void>;
+
 /**
  * From where the package's files come, if not from where the package is: \`serve('grid.wasm')\` and
  * \`serve('locales/en/grid.json')\` promise a \`Response\`. To be called before anything is loaded. In Node they are read from where they are.
@@ -367,6 +387,21 @@ write(
 
 /** Says messages in a language by its patterns: \`locales/en.json\`, or a translation of it. \`add\` gives it more. */
 export function speaker(locale: string, patterns: Record<string, string>): Say & { add(patterns: Record<string, string>): void };
+`,
+)
+
+write(
+  'texts.d.ts',
+  `import type { Catalogue } from './forage.js';
+
+/** A catalogue in another language: \`texts\` are those of \`locales/TAG/catalogue.json\`, which belong to this version's catalogue. */
+export function translated(catalogue: Catalogue, texts: readonly string[]): Catalogue;
+
+/** A text with its numbers replaced by \`{1}\`, \`{2}\` …, and the numbers: texts that differ in numbers only are translated once. */
+export function numbered(text: string): { text: string; numbers: string[] };
+
+/** A text with numbers put in. */
+export function filled(text: string, numbers: readonly string[]): string;
 `,
 )
 
@@ -436,6 +471,7 @@ const description = {
     './element': { types: './element.d.ts', default: './element.js' },
     './embed': { types: './embed.d.ts', default: './embed.js' },
     './render': { types: './render.d.ts', default: './render.js' },
+    './texts': { types: './texts.d.ts', default: './texts.js' },
     './words': { types: './words.d.ts', default: './words.js' },
     './*.wasm': './*.wasm',
     './locales/*': './locales/*',

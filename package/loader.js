@@ -130,9 +130,9 @@ export function speakBy(say) {
   tell(say)
 }
 
-/** Says messages by words of our own, unless the user has brought some. */
-export function speakEnglish(say) {
+/** Says messages by the package's own words, unless the user has brought some. */
+export function speakOwn(say) {
   if (!own) tell(say)
 }
 
-export const speaksEnglish = () => !own
+export const speaksOwn = () => !own

@@ -2,41 +2,58 @@
  * For Node. The first part is there on import; another one is read from disk when a call needs it.
  */
 import { readFileSync } from 'node:fs'
-import { speaker, words } from './english.js'
 import { initSync } from './glue.js'
+import { speaker, words } from './languages.js'
 import {
   addParts,
   addScenes,
   askBy,
   filesOf,
+  isAdded,
   linkFile,
   missing,
+  PARTS,
   partsOf,
   reset,
   share,
   speakBy,
-  speakEnglish,
-  speaksEnglish,
+  speakOwn,
+  speaksOwn,
 } from './loader.js'
-import { scenes, urls } from './parts.js'
+import { languages, scenes, urls } from './parts.js'
+import { languageIn } from './texts.js'
 
 export { catalogue } from './catalogue.js'
 export { shapes } from './core.js'
 export { partsOf, reset, speakBy }
 
-const say = speaker('en', {})
+let language = 'en'
+/** What says messages, by language. */
+const speakers = {}
+const say = (key, given) => speakers[language](key, given)
 
 const read = (url) => JSON.parse(readFileSync(url()))
 
+function addWords(part) {
+  speakers[language] ??= speaker(language, {})
+  speakers[language].add(read(words[language][part]))
+}
+
+/** Has messages said in another language from now on. */
+export async function speakIn(tag) {
+  language = languageIn(languages, tag)
+  for (const part of ['swarm', ...PARTS.filter(isAdded)]) addWords(part)
+}
+
 /** Adds the words and the scenes of a part. */
 function complete(part) {
-  if (speaksEnglish()) say.add(read(words[part]))
+  if (speaksOwn()) addWords(part)
   if (scenes[part]) addScenes(part, read(scenes[part]))
 }
 
 share(initSync({ module: readFileSync(urls.forage_bg()) }))
 complete('swarm')
-speakEnglish(say)
+speakOwn(say)
 
 /** Reads parts of the module that are not there yet: for a call that must not be the first one to do it. */
 export function loadNow(...parts) {

@@ -3,6 +3,7 @@
  * more, and `await ready(() => new Session(setup))` for whatever a call turns out to need.
  */
 import { begin } from './core.js'
+import { languageIn } from './texts.js'
 import {
   addParts,
   addScenes,
@@ -16,15 +17,14 @@ import {
   reset,
   share,
   speakBy,
-  speakEnglish,
-  speaksEnglish,
+  speakOwn,
+  speaksOwn,
 } from './loader.js'
-import { scenes, urls } from './parts.js'
+import { languages, scenes, urls } from './parts.js'
 
 export { shapes } from './core.js'
 export { partsOf, reset, speakBy }
 
-let say
 /** What the last call lacked. */
 let wanted = []
 const coming = new Map()
@@ -96,17 +96,30 @@ async function link(parts) {
   addParts(parts)
 }
 
+let language = 'en'
+/** What says messages, by language. */
+const speakers = {}
+const say = (key, given) => speakers[language]?.(key, given)
+
 /** The words of a part, while its code comes. */
-const spoken = (part) =>
-  once(`words ${part}`, async () => {
-    if (!speaksEnglish()) return
-    const { speaker, words } = await import('./english.js')
-    const patterns = await (await response(`locales/en/${part}.json`, words[part])).json()
-    say ??= speaker('en', {})
-    say.add(patterns)
+function spoken(part) {
+  const tag = language
+  return once(`words ${tag} ${part}`, async () => {
+    if (!speaksOwn()) return
+    const { speaker, words } = await import('./languages.js')
+    const patterns = await (await response(`locales/${tag}/${part}.json`, words[tag][part])).json()
+    speakers[tag] ??= speaker(tag, {})
+    speakers[tag].add(patterns)
     await core()
-    speakEnglish(say)
+    speakOwn(say)
   })
+}
+
+/** Has messages said in another language from now on: those of the parts that are there, and of those that come. */
+export async function speakIn(tag) {
+  language = languageIn(languages, tag)
+  if (ours) await Promise.all(['swarm', ...PARTS.filter(isAdded)].map(spoken))
+}
 
 /** The scenes that ship with a part, while its code comes. */
 const set = (part) =>

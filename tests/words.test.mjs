@@ -1,13 +1,13 @@
 // The module's parts, and the words that its host brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { pattern } from '../package/fluent.mjs'
-import { compare, described, languages, made, untold } from '../package/languages.mjs'
+import { described } from '../package/texts.js'
+import { made, untold } from './support/messages.mjs'
 import { catalogue, partsOf } from '../pkg/node.js'
 import { speaker } from '../pkg/words.js'
 
@@ -34,20 +34,6 @@ test('every message that the sources make has English, and no text of the catalo
   assert.ok(keys.length > 400, `${keys.length} messages`)
   assert.deepEqual(untold(keys, english), [])
   assert.deepEqual(untold(made('message!(\n  "no-such", "", n)'), { 'is-empty': ' ', told: 'Told.' }), ['is-empty', 'no-such'])
-})
-
-test('every language has every text, translated from the English of today', () => {
-  for (const [name, texts] of Object.entries(languages(join(root, 'locales'))))
-    assert.deepEqual(compare(english, texts), { missing: [], stale: [], unused: [] }, name)
-})
-
-test('what a language lacks is listed', () => {
-  const folder = mkdtempSync(join(tmpdir(), 'locales-'))
-  mkdirSync(join(folder, 'xx'))
-  writeFileSync(join(folder, 'xx/a.json'), JSON.stringify({ a: { english: 'One', says: 'Ein' }, b: { english: 'Two', says: '' } }))
-  writeFileSync(join(folder, 'xx/b.json'), JSON.stringify({ d: { english: 'Four', says: 'Vier' }, gone: { english: 'Gone', says: 'Weg' } }))
-  const { xx } = languages(folder)
-  assert.deepEqual(compare({ a: 'One', b: 'Two', c: 'Three', d: 'Five' }, xx), { missing: ['b', 'c'], stale: ['d'], unused: ['gone'] })
 })
 
 test('every message can be said, with all its plurals and numbers', () => {

@@ -6,6 +6,7 @@ import { defineConfig } from 'vite'
 import { contract } from './plugins/contract.ts'
 import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
+import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { installable } from './plugins/installable.ts'
 import { palette } from './plugins/palette.ts'
@@ -32,6 +33,7 @@ export default defineConfig({
     early(['forage_bg', 'catalogue']),
     formulas(core, `${root}/lessons`),
     palette(`${root}/src/describe/palette.json`),
+    languages(`${root}/locales`, core),
     lessons(`${root}/lessons`, `${root}/REPRODUCTION.claims.json`),
     recordings(core),
     reproduction(root),
@@ -75,7 +77,7 @@ export default defineConfig({
           groups: [
             {
               name: 'shared',
-              test: /node_modules\/(svelte|esm-env|clsx)\/|vite\/preload-helper|src\/text\/number|scene\/stops\.ts|locales\/en\/page\.ts/,
+              test: /node_modules\/(svelte|esm-env|clsx)\/|vite\/preload-helper|src\/text\/number|scene\/stops\.ts|locales\/en\/common\.ts/,
             },
           ],
         },

@@ -6,6 +6,7 @@ import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig, type Plugin } from 'vite'
 import { formulas } from './plugins/formulas.ts'
 import { inlined, unaddressed } from './plugins/inlined.ts'
+import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { palette } from './plugins/palette.ts'
 
@@ -14,9 +15,12 @@ import { palette } from './plugins/palette.ts'
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url))
 const core = at('../pkg')
 
+const tags = readdirSync(`${core}/locales`, { withFileTypes: true }).flatMap((entry) => (entry.isDirectory() ? [entry.name] : []))
 const files = [
   ...readdirSync(core).filter((file) => file.endsWith('.wasm')),
-  ...readdirSync(`${core}/locales/en`).map((file) => `locales/en/${file}`),
+  ...tags
+    .flatMap((tag) => readdirSync(`${core}/locales/${tag}`).map((file) => `locales/${tag}/${file}`))
+    .filter((file) => !file.endsWith('catalogue.json')),
   ...readdirSync(`${core}/scenes`).map((file) => `scenes/${file}`),
   'catalogue.json',
 ]
@@ -126,6 +130,7 @@ export default defineConfig(({ mode }) => ({
     unaddressed(core),
     svelte(),
     formulas(core, at('../lessons')),
+    languages(at('../locales'), core),
     lessons(at('../lessons'), at('../REPRODUCTION.claims.json')),
     palette(at('../src/describe/palette.json')),
     inlined(core, files, threads, { ...shared, plugins: [unaddressed(core)] }),

@@ -1,14 +1,16 @@
 import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vitest/config'
+import { languages } from './plugins/languages.ts'
 
-const core = fileURLToPath(new URL('../pkg/node.js', import.meta.url))
+const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url))
+const core = at('../pkg/node.js')
 const test = { setupFiles: ['unit/browser.ts'], restoreMocks: true }
 
 /** `page`: modules by themselves, with no browser and no core. `core`: what they must agree in with the core, which has to be built. */
 export default defineConfig({
-  plugins: [svelte({ compilerOptions: { hmr: false } })],
-  resolve: { conditions: ['browser'] },
+  plugins: [svelte({ compilerOptions: { hmr: false } }), languages(at('../locales'), at('../pkg'))],
+  resolve: { conditions: ['browser'], alias: [{ find: /^forage-lab\/texts$/, replacement: at('../package/texts.js') }] },
   test: {
     projects: [
       // A thread and its modules serve all files: starting one for each takes longer than the tests.

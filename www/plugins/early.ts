@@ -9,7 +9,9 @@ export function early(names: readonly string[]): Plugin {
       order: 'post',
       handler(_, { bundle = {} }) {
         return names.map((name) => {
-          const file = Object.keys(bundle).find((path) => path.startsWith(`assets/${name}-`))
+          const file = Object.values(bundle).find(
+            ({ type, fileName }) => type === 'asset' && fileName.startsWith(`assets/${name}-`),
+          )?.fileName
           if (!file) throw new Error(`the page has no file ${name}`)
           return { tag: 'link', attrs: { rel: 'preload', as: 'fetch', crossorigin: '', href: `./${file}` }, injectTo: 'head' as const }
         })

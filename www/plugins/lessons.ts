@@ -1,4 +1,4 @@
-import { readdirSync, readFileSync } from 'node:fs'
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Plugin } from 'vite'
 import type { Lesson } from '../src/lessons/format.ts'
@@ -9,7 +9,19 @@ const RESOLVED = `\0${ID}`
 /** The order in which they are offered; others follow by name. */
 const FIRST = 'order.json'
 
-/** The lessons of a folder, in their order. */
+/** The words of a lesson in other languages: those have a folder each. */
+function translated(name: string, locales: string): Lesson['texts'] {
+  const tags = readdirSync(locales).filter((tag) => existsSync(join(locales, tag, 'lessons', `${name}.json`)))
+  return Object.fromEntries(
+    tags.map((tag) => {
+      const entries = JSON.parse(readFileSync(join(locales, tag, 'lessons', `${name}.json`), 'utf8')) as Record<string, { says: string }>
+      const said = Object.entries(entries).flatMap(([key, { says }]) => (says ? [[key, says] as const] : []))
+      return [tag, Object.fromEntries(said)]
+    }),
+  )
+}
+
+/** The lessons of a folder, in their order, in all languages. */
 export function lessonsIn(folder: string): Lesson[] {
   const order = JSON.parse(readFileSync(join(folder, FIRST), 'utf8')) as string[]
   const files = readdirSync(folder).filter((file) => file.endsWith('.json') && !file.endsWith('.schema.json') && file !== FIRST)
@@ -17,7 +29,7 @@ export function lessonsIn(folder: string): Lesson[] {
     try {
       const lesson = readLesson(readFileSync(join(folder, file), 'utf8'))
       if (`${lesson.name}.json` !== file) throw new Error(`its name is ${lesson.name}`)
-      return lesson
+      return { ...lesson, texts: { ...lesson.texts, ...translated(lesson.name, join(folder, '../locales')) } }
     } catch (error) {
       throw new Error(`${join(folder, file)}: ${error instanceof Error ? error.message : String(error)}`)
     }

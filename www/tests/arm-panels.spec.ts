@@ -336,7 +336,7 @@ test('a node of the guided tree tells its samples, which were kept, and what bec
   await expect(rows.locator('th')).toHaveText(node.told.table.labels)
   const share = node.told.table.columns.findIndex(({ name }) => name === 'share')
   await expect(inspect.locator('tbody tr.kept')).toHaveCount(node.told.table.rows.filter((row) => (row[share] ?? 0) > 0).length)
-  await expect(inspect.locator('caption')).toHaveText(closer.inspect.samples(node.told.title))
+  await expect(inspect.locator('caption')).toHaveText(closer.inspect.tables.sample.title(node.told.title))
 })
 
 test('rrt-joint: the tree in joint space has the core’s nodes; a node chosen there is looked at closer', async ({ lab, page }) => {

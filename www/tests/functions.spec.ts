@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { functions } from '../src/locales/en/functions'
-import { en } from '../src/locales/en/page'
+import { common as en } from '../src/locales/en/common'
 import { violations } from './support/axe'
 import { expect, pick, test } from './support/lab'
 

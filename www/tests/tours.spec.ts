@@ -165,7 +165,7 @@ test('a bat that is picked tells what it did; where its tour differs is marked',
   const panel = page.getByTestId('inspect')
   await expect(panel.getByRole('heading', { level: 2 })).toHaveText(inspection.title)
   await lab.section('inspect-table')
-  await expect(panel.locator('caption')).toHaveText(closer.inspect.places(inspection.title))
+  await expect(panel.locator('caption')).toHaveText(closer.inspect.tables.place.title(inspection.title))
   const differing = inspection.table.rows.flatMap((cells, at) => (cells.at(-1) === 1 ? [inspection.table.labels[at] ?? ''] : []))
   expect(differing.length).toBeGreaterThan(1)
   await expect(panel.locator('tr.differs').getByRole('rowheader')).toHaveText(differing)

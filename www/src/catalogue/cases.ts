@@ -27,7 +27,7 @@ export function byFamily(planners: readonly Planner[]): { family: string; list: 
 }
 
 /** A planner's title is its abbreviation, a colon and what it does. */
-export const shortly = (title: string): string => title.split(':')[0] ?? title
+export const shortly = (title: string): string => title.split(/[:：]/)[0] ?? title
 
 /** Those of a planner that can be run here; a preset that a case shows is not offered again. */
 export const casesOf = ({ scenes }: Catalogue, { name: planner, cases, presets }: Planner): Case[] =>

@@ -1,5 +1,6 @@
 import type { GridScene, Outcome, Planner, Stage } from 'forage-lab'
-import { en } from '../locales/en/page'
+import { common } from '../locales/en/common'
+import { punctuation } from '../locales/en/punctuation'
 import { number } from '../text/number'
 
 /** Where an iteration is within its part of the run. */
@@ -22,9 +23,9 @@ export function stageAt(stages: readonly Stage[] = [], iteration: number): Part 
 
 /** Where a run is, in words. */
 export function placeOf(iteration: number, limit: number, open: boolean, part: Part | null): string {
-  const { of, part: within } = en.transport
+  const { of, part: within } = common.transport
   const whole = of(number(iteration), number(limit), open)
-  return part ? `${whole}, ${within(part.title, number(part.k), part.of === null ? '' : number(part.of))}` : whole
+  return part ? punctuation.clauses([whole, within(part.title, number(part.k), part.of === null ? '' : number(part.of))]) : whole
 }
 
 /** The boundary of a part that comes after an iteration, or before it. */
@@ -45,5 +46,5 @@ export function missing(
   if (!planner?.stops || roads === undefined || outcome?.order) return ''
   if (finished) return outcome?.trouble ?? ''
   const stops = grid?.stops?.length ?? 0
-  return en.result.roads(number(roads), number((stops * (stops - 1)) / 2))
+  return common.result.roads(number(roads), number((stops * (stops - 1)) / 2))
 }

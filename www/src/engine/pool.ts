@@ -1,6 +1,7 @@
 import { type Remote, wrap } from 'comlink'
 import { host } from './host'
 import type { TaskApi } from './host/trial-thread'
+import { language } from '../locales/language.svelte'
 import { HEARTBEAT, UNSTOPPABLE, Watchdog } from './watchdog'
 
 /** Threads without work end after so many milliseconds. */
@@ -31,6 +32,7 @@ export class Thread {
     }
   }
 
+  private language = 'en'
   private readonly opened = host()
     .files?.()
     .then((files) => this.api.open(files))
@@ -38,6 +40,10 @@ export class Thread {
   /** `watched`: the thread is ended when it does not answer for seconds. */
   async run<T>(task: Task<T>, watched = false): Promise<T> {
     if (this.opened) await Promise.race([this.opened, this.failed])
+    if (this.language !== language.tag) {
+      this.language = language.tag
+      await Promise.race([this.api.speakIn(language.tag), this.failed])
+    }
     if (watched) await Promise.race([this.api.beat(), this.failed])
     const leave = watched ? this.watch() : undefined
     return Promise.race([task(this.api), this.failed]).finally(leave)

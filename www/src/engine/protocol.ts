@@ -88,6 +88,8 @@ export interface Desired {
   links: boolean
   /** Vertices a layer may have. */
   budget: number
+  /** The language of what the core says. */
+  language: string
 }
 
 /** What nobody has wanted otherwise. A canvas draws so many vertices in a few tens of milliseconds. */
@@ -104,6 +106,7 @@ export const DEFAULTS: Desired = {
   summary: true,
   links: false,
   budget: 100_000,
+  language: 'en',
 }
 
 /** How long a run is, and its parts. */
@@ -189,6 +192,8 @@ export interface Report extends Picture {
   trace: TraceRows
   /** What happened in simulated time since the furthest state that was reported. */
   events: RunEvent[]
+  /** These are all events from the beginning: they are said in another language. */
+  repeats: boolean
   /** If it has changed. */
   span: Span | null
   inspection: Inspection | null

@@ -13,6 +13,7 @@ import {
   type Target,
   type ToHost,
 } from './protocol'
+import { language } from '../locales/language.svelte'
 import type { SubtaskRunner } from './subtasks'
 import { HEARTBEAT, UNSTOPPABLE, Watchdog } from './watchdog'
 
@@ -95,12 +96,13 @@ export class RunClient {
     wanted: Partial<Desired> = {},
     private readonly hosting: () => Host = host,
   ) {
-    this.desired = { ...DEFAULTS, ...wanted }
+    this.desired = { ...DEFAULTS, language: language.tag, ...wanted }
   }
 
   /** Starts a thread. It begins with all that is wanted. */
   async open(): Promise<void> {
     this.close()
+    language.listeners.add(this.speak)
     const worker = this.hosting().worker('run')
     this.worker = worker
     worker.onmessage = ({ data }: MessageEvent<FromHost>) => {
@@ -118,6 +120,10 @@ export class RunClient {
     this.begins = []
     this.change({ ...this.desired })
     for (const asked of this.asked) this.put(asked)
+  }
+
+  private readonly speak = (): void => {
+    this.want({ language: language.tag })
   }
 
   /** Another state is wanted; returns the number of this change. */
@@ -198,6 +204,7 @@ export class RunClient {
 
   /** Ends the thread; what is wanted is kept for the next one. */
   close(): void {
+    language.listeners.delete(this.speak)
     this.watchdog.stop()
     this.stopBeating()
     this.subtasks?.drop()

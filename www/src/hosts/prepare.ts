@@ -1,7 +1,19 @@
 import { Gone } from '../engine/run-client'
+import { language } from '../locales/language.svelte'
+import { common } from '../locales/en/common'
+import { firstLanguage } from '../stores/spoken'
 
-/** What a page of ours does before anything else. */
-export function prepare(): void {
+/** The document is in the language of the page. */
+function name(): void {
+  document.documentElement.lang = language.tag
+  document.title = common.title
+  document.querySelector('meta[name=description]')?.setAttribute('content', common.description)
+  const manifest = document.querySelector<HTMLLinkElement>('link[rel=manifest]')
+  if (manifest) manifest.href = language.tag === 'en' ? './manifest.webmanifest' : `./manifest.${language.tag}.webmanifest`
+}
+
+/** What a page of ours does before anything else; it speaks its language then. */
+export async function prepare(): Promise<void> {
   // The language of a plain kiosk is `C`, which is none: a library that formats numbers by it would throw.
   try {
     new Intl.NumberFormat(navigator.language)
@@ -13,4 +25,8 @@ export function prepare(): void {
   addEventListener('unhandledrejection', (event) => {
     if (event.reason instanceof Gone) event.preventDefault()
   })
+
+  language.listeners.add(name)
+  const first = firstLanguage(location.hash, location.search)
+  if (first !== 'en') await language.speak(first).catch((error: unknown) => console.warn(error))
 }

@@ -1,5 +1,5 @@
 import type { ParameterValue } from 'forage-lab'
-import { en } from '../locales/en/page'
+import { common } from '../locales/en/common'
 import type { Followed } from '../engine/host/questions'
 import type { Answer } from '../engine/protocol'
 import { Clock } from './clock.svelte'
@@ -88,7 +88,7 @@ export class Following<Result, Track extends Timed> implements Follower {
     }
     const { generation, iteration } = answer.value
     this.errors = errors
-    this.problem = track ? '' : en.notices.nothing
+    this.problem = track ? '' : common.notices.nothing
     this.of = { generation, iteration }
     if (track) this.params = params
     else this.wanted = this.params

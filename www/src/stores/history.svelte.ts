@@ -13,14 +13,15 @@ export class Course {
   /** Some runs only learn on their way where they end. */
   private span = $state.raw<(Span & { generation: number }) | null>(null)
 
-  receive({ generation, run, trace, events, span }: Report): void {
+  receive({ generation, run, trace, events, repeats, span }: Report): void {
     if (run) this.clear()
     if (this.traced.add(trace) || run) {
       const { columns, iterations, rows } = this.traced
       this.curve = { columns, iterations, rows }
       this.version += 1
     }
-    if (events.length > 0) this.events = [...this.events, ...events]
+    if (repeats) this.events = events
+    else if (events.length > 0) this.events = [...this.events, ...events]
     if (span) this.span = { ...span, generation }
   }
 

@@ -2,10 +2,11 @@ import type { Progress, Report } from '../engine/protocol'
 import { Requests } from '../engine/requests'
 import { RunClient } from '../engine/run-client'
 import { Awaited } from './awaited.svelte'
+import { catalogueIn, withOwn } from './catalogue'
 import { ColumnStore } from './column.svelte'
 import type { Standard } from '../catalogue/standard'
-import { host } from '../engine/host'
-import { en } from '../locales/en/page'
+import { language } from '../locales/language.svelte'
+import { common } from '../locales/en/common'
 import { ExperimentsStore } from './experiments.svelte'
 import { Followers } from './followers.svelte'
 import { FollowStore } from './follow'
@@ -57,7 +58,7 @@ export class Lab {
     onprogress: (progress) => this.receiveProgress(progress),
     onbroken: (message) => this.breakDown(message),
     onreplaced: (slowed) => this.replaced(slowed),
-    onstuck: () => (this.notices.text = en.notices.stopped),
+    onstuck: () => (this.notices.text = common.notices.stopped),
   })
   /** What runs, or is to run, is code without an interpreter around it. */
   get atFullSpeed(): boolean {
@@ -120,10 +121,11 @@ export class Lab {
   async open(): Promise<void> {
     this.crash = ''
     this.phase = 'loading'
+    language.listeners.add(this.translate)
     void this.client.open()
     if (!this.setup.catalogue) {
       try {
-        this.setup.catalogue = await host().catalogue()
+        this.setup.catalogue = await catalogueIn(language.tag)
       } catch (error) {
         this.breakDown(error instanceof Error ? error.message : String(error))
         return
@@ -135,6 +137,13 @@ export class Lab {
     if (!this.client.desired.start) await this.openFirst()
   }
 
+  /** The catalogue in the language of the page. */
+  private readonly translate = async (): Promise<void> => {
+    const { tag } = language
+    const catalogue = await catalogueIn(tag)
+    if (tag === language.tag) this.setup.catalogue = withOwn(catalogue, this.setup.catalogue)
+  }
+
   /** An offered code does not run. There is always a run to look at. */
   leaveOffer = (): void => {
     this.own.offer = null
@@ -143,6 +152,7 @@ export class Lab {
 
   /** Ends it: nothing is computed any more. */
   close(): void {
+    language.listeners.delete(this.translate)
     this.followers.stop()
     this.client.close()
   }
@@ -175,7 +185,7 @@ export class Lab {
   private replaced(slowed: boolean): void {
     if (slowed) {
       this.own.disableFullSpeed()
-      this.notices.text = en.notices.slowed
+      this.notices.text = common.notices.slowed
     }
     this.leaveThread('loading')
   }

@@ -1,5 +1,6 @@
 import { packed } from '../lessons/link'
 import type { Lab } from './lab.svelte'
+import { wordsOf } from '../lessons/words'
 import { lessonOf } from './lesson.svelte'
 import { DRAFT, OPENED } from './lesson-address'
 
@@ -9,6 +10,6 @@ export async function lessonLink(lab: Lab): Promise<{ address: string; title: st
   if (!lesson) return null
   // What only this browser has goes with the address.
   const name = source === DRAFT || source.startsWith(OPENED) ? await packed(JSON.stringify(lesson)) : source
-  const title = lesson.texts[lesson.language]?.[lesson.title] ?? lesson.name
+  const title = wordsOf(lesson)[lesson.title] ?? lesson.name
   return { address: `#lesson=${name}${step ? `&step=${step.name}` : ''}`, title }
 }

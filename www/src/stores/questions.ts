@@ -1,7 +1,7 @@
 import type { Questions } from '../engine/host/questions'
 import type { Answer, Refusal } from '../engine/protocol'
 import { Gone, type RunClient } from '../engine/run-client'
-import { en } from '../locales/en/page'
+import { common } from '../locales/en/common'
 
 /** What a question came to; null if the thread broke down. */
 export const unlessGone = (error: unknown): null => {
@@ -14,7 +14,7 @@ const isUnloaded = (answer: unknown): answer is { ok: false; refusal: Refusal } 
 
 /** A refusal as it is shown: where a part could not be loaded, the reason is the browser's. */
 export const worded = (refusal: Refusal): Refusal =>
-  refusal.unloaded ? { ...refusal, message: en.notices.unloaded(refusal.message) } : refusal
+  refusal.unloaded ? { ...refusal, message: common.notices.unloaded(refusal.message) } : refusal
 
 /** For questions to the run. A refusal says in the page's words that a part could not be loaded. */
 export const questionsTo = (client: RunClient, codeFor: (link: string) => string | undefined): Questions =>

@@ -1,4 +1,6 @@
+import { language } from '../locales/language.svelte'
 import { shortened } from './large-links'
+import { followLanguage, languageKey, withoutLanguage } from './spoken'
 
 /** The rooms: where a newcomer begins, one run, several compared, what was published, where planners are written. */
 export const VIEWS = ['learn', 'lab', 'compare', 'workshop', 'papers'] as const
@@ -19,7 +21,8 @@ const INTERVAL = 3000
 const LEAST = 300
 
 /** The view that an address is of, and what it says of it: `#view=compare&seeds=3-9`. Others are links of runs. */
-function placeOf(hash: string): { view: View; keys: string } | undefined {
+function placeOf(address: string): { view: View; keys: string } | undefined {
+  const hash = withoutLanguage(address)
   if (hash.startsWith(LESSON)) return { view: 'learn', keys: `&${hash.slice(1)}` }
   const [name = '', ...rest] = hash.startsWith(PREFIX) ? hash.slice(PREFIX.length).split('&') : []
   const keys = rest.map((pair) => `&${pair}`).join('')
@@ -30,7 +33,7 @@ function placeOf(hash: string): { view: View; keys: string } | undefined {
 }
 
 /** Without an address the page is for those who do not know it yet; a run's link is the lab's. */
-const viewOf = (hash: string): View => placeOf(hash)?.view ?? (hash.length > 1 ? 'lab' : 'learn')
+const viewOf = (hash: string): View => placeOf(hash)?.view ?? (withoutLanguage(hash).length > 1 ? 'lab' : 'learn')
 
 const wishOf = (keys: string): { readonly keys: string; taken: boolean } => ({ keys, taken: keys === '' })
 
@@ -51,9 +54,14 @@ class Route {
   /** Grows with each link that is opened from the address: entries of the history with this number are of the run that is here. */
   private opened = Date.now()
 
+  constructor() {
+    language.listeners.add(() => this.replaceSoon(0))
+  }
+
   /** The link that the page was opened on, if it was one. */
   get first(): string | null {
-    return location.hash.length > 1 && !placeOf(location.hash) ? location.hash : null
+    const hash = withoutLanguage(location.hash)
+    return hash.length > 1 && !placeOf(hash) ? hash : null
   }
 
   /** The run is what is looked at. */
@@ -117,8 +125,8 @@ class Route {
   }
 
   private get address(): string {
-    if (this.view !== 'lab') return PREFIX + this.view + (this.standing.get(this.view) ?? '')
-    return this.link === '' ? '' : this.link + this.added
+    if (this.view !== 'lab') return PREFIX + this.view + (this.standing.get(this.view) ?? '') + languageKey()
+    return this.link === '' ? '' : this.link + this.added + languageKey()
   }
 
   private replaceWhen(when: 'now' | 'soon'): void {
@@ -142,6 +150,7 @@ class Route {
 
   /** The address is another one: by the browser's buttons, or because somebody wrote it. Returns the link that is to be opened. */
   follow(hash: string): string | null {
+    followLanguage(hash)
     const place = placeOf(hash)
     this.view = viewOf(hash)
     this.opening = false
@@ -160,7 +169,7 @@ class Route {
     }
     this.opened += 1
     this.opening = hash.length > 1
-    return this.opening ? hash : null
+    return this.opening ? withoutLanguage(hash) : null
   }
 
   private get mark(): { opened: number } {

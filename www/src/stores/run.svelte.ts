@@ -2,7 +2,7 @@ import type { Outcome, Planner, Status } from 'forage-lab'
 import { missing } from '../catalogue/stages'
 import type { Refusal, Report, Run } from '../engine/protocol'
 import type { RunClient } from '../engine/run-client'
-import { en } from '../locales/en/page'
+import { common } from '../locales/en/common'
 import { Course } from './history.svelte'
 import type { NoticesStore } from './notices.svelte'
 import type { SceneStore } from './scene.svelte'
@@ -49,7 +49,7 @@ export class RunStore {
   )
   /** The optimum that results are measured by, in words. */
   readonly optimum = $derived.by(() =>
-    this.scene.arm ? en.result.tip : en.result[this.setup.planner?.stops ? 'tours' : 'optimum'][this.reference],
+    this.scene.arm ? common.result.tip : common.result[this.setup.planner?.stops ? 'tours' : 'optimum'][this.reference],
   )
   /** What is done before there can be a result: how many of the roads between the stops stand. */
   readonly building = $derived.by(() => missing(this.setup.planner, this.scene.grid, this.readings, this.outcome, this.finished))

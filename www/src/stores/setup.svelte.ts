@@ -1,3 +1,4 @@
+import { saidOf } from '../text/said'
 import { codeOf, type OwnPlanner, type RunSetup } from '../catalogue/own'
 import type { Catalogue, LinkSetup, ParameterValue, Planner, Scene, When } from 'forage-lab'
 import { meaningful, met } from '../catalogue/parameters'
@@ -5,7 +6,7 @@ import { STANDARD, type Standard } from '../catalogue/standard'
 import type { Questions } from '../engine/host/questions'
 import type { Opening } from '../engine/protocol'
 import type { Requests } from '../engine/requests'
-import { en } from '../locales/en/page'
+import { common } from '../locales/en/common'
 import { sameParams, sameScene } from '../scene/equality'
 import { suits } from '../scene/stops'
 import type { Awaited } from './awaited.svelte'
@@ -163,7 +164,7 @@ export class SetupStore {
     if (!this.planner || suits(this.planner, scene)) return
     const other = this.catalogue?.planners.find((planner) => suits(planner, scene))
     if (!other) return
-    this.notices.text = en.notices.kind(this.planner.title, scene.title, other.title)
+    this.notices.text = common.notices.kind(this.planner.title, saidOf(scene.title), other.title)
     this.parameters.errors = {}
     this.plannerName = other.name
   }

@@ -4,7 +4,7 @@ import type { Questions } from '../engine/host/questions'
 import type { Opening, Refusal, Report } from '../engine/protocol'
 import type { Requests } from '../engine/requests'
 import type { RunClient } from '../engine/run-client'
-import { en } from '../locales/en/page'
+import { common } from '../locales/en/common'
 import type { Again } from './again'
 import type { Awaited } from './awaited.svelte'
 import type { Followers } from './followers.svelte'
@@ -77,7 +77,7 @@ export class Starts {
           return
         }
         opened = answer.ok
-        if (!answer.ok) this.stores.notices.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))
+        if (!answer.ok) this.stores.notices.warn(answer.refusal, common.notices.link(answer.refusal.message), () => this.openLink(link))
         else if (!this.requests.replaced(request, 'setup')) {
           if (planner) this.stores.own.put(planner)
           this.openSetup(answer.value, request)
@@ -173,7 +173,7 @@ export class Starts {
     if (this.promised?.at !== iteration) return
     const { hash: promised } = this.promised
     if (promised === hash) this.stores.run.verified = { iteration, hash }
-    else this.stores.notices.text = en.notices.hash(String(iteration), promised, hash ?? '')
+    else this.stores.notices.text = common.notices.hash(String(iteration), promised, hash ?? '')
     this.promised = undefined
   }
 }

@@ -3,7 +3,7 @@ import { CHANGES, FIRST, isAtRest, nowhere, opened, replaced } from '../../unit/
 import { FakeWorker, passed } from '../../unit/worker'
 import { useHost } from '../engine/host'
 import { Gone } from '../engine/run-client'
-import { en } from '../locales/en/page'
+import { common as en } from '../locales/en/common'
 import { Lab } from './lab.svelte'
 import { Theme } from './theme.svelte'
 

@@ -16,7 +16,7 @@ export function brief(value: number): string {
 /** The same of a share as per cent: `0 %`, `12.5 %`, `33.33 %`. */
 export function briefPercent(share: number): string {
   const text = percent(share)
-  const [, digits = ''] = /([\d.]+) %$/.exec(text) ?? []
+  const [, digits = ''] = /([\d.]+) ?%$/.exec(text) ?? []
   const fewer = digits.replace(/\.?0+$/, '')
   return digits.includes('.') && Math.abs(Number(fewer) - Math.abs(share * 100)) < 1e-9 ? text.replace(digits, fewer) : text
 }

@@ -1,3 +1,5 @@
+import { punctuation } from '../locales/en/punctuation'
+
 /** How panels write numbers. A reading keeps its number of digits, so that it doesn't jitter while it changes. */
 
 const DIGITS = 4
@@ -68,7 +70,7 @@ export function percent(share: number, signed = false): string {
   const size = Math.abs(value)
   const text = size >= 100 ? size.toFixed(0) : size >= 0.01 || size === 0 ? size.toFixed(2) : size < 1e-9 ? '0.00' : number(size, 2)
   const sign = text === '0.00' ? '' : value < 0 ? MINUS : signed ? '+' : ''
-  return `${sign}${text} %`
+  return punctuation.percent(sign + text)
 }
 
 /** A number with its unit, as a drive's or a motion's columns have it. */

@@ -1,6 +1,6 @@
 import { test as base, expect, type Locator, type Page } from '@playwright/test'
 import type { Point, Scene } from '../../../pkg/node.js'
-import { en as page } from '../../src/locales/en/page'
+import { common as page } from '../../src/locales/en/common'
 import { scenes } from '../../src/locales/en/scenes'
 import { extent, fit, isDown, margins, toScreen } from '../../src/render/view'
 import { SITE } from './site'

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { catalogue, type FormulaScene, Session } from '../../../pkg/node.js'
-import { REFERENCE } from '../../src/locales/en/functions'
+import { SYNTAX } from '../../src/catalogue/syntax'
 import { extent } from '../../src/render/view'
 import { EXAMPLES } from '../../src/scene/functions'
 
@@ -54,10 +54,10 @@ test('the reference lists all functions that the core knows, and what it lists c
     }
   }
   const known = /known: (.*)$/.exec(unknown())?.[1]?.split(', ') ?? []
-  expect([...REFERENCE.functions].sort()).toEqual(known.filter((name) => !['sum', 'prod', 'if'].includes(name)).sort())
-  const { variables, numbers, sums, choices } = REFERENCE
+  expect([...SYNTAX.functions].sort()).toEqual(known.filter((name) => !['sum', 'prod', 'if'].includes(name)).sort())
+  const { variables, numbers, sums, choices } = SYNTAX
   const whole = [...variables.filter((name) => name !== 'x[i]'), ...numbers, ...sums, ...choices.filter((choice) => /x/.test(choice))]
   for (const expression of whole) open({ name: 'a', title: 'A', expression, dimension: 3, bounds: { min: 0, max: 1 } }).free()
-  for (const sign of [...REFERENCE.operators, ...choices.filter((choice) => !/x/.test(choice) && choice !== '!')])
+  for (const sign of [...SYNTAX.operators, ...choices.filter((choice) => !/x/.test(choice) && choice !== '!')])
     open({ name: 'a', title: 'A', expression: `x ${sign} 2`, dimension: 1, bounds: { min: 0, max: 1 } }).free()
 })

@@ -26,6 +26,7 @@ export class Reporter {
   /** How many events were reported, and up to which iteration they are all that there are. */
   private known = { events: 0, until: -1 }
   private curve = -1
+  private repeats = false
   private lastOutcome = 0
   private outcomeCost = 0
   private lastMembers = 0
@@ -52,6 +53,13 @@ export class Reporter {
     this.settled = null
   }
 
+  /** All that was said is said once more. */
+  repeat(): void {
+    this.settled = null
+    this.known = { events: 0, until: -1 }
+    this.repeats = true
+  }
+
   /** The members' numbers come with the next report. */
   askMembers(): void {
     this.lastMembers = 0
@@ -64,6 +72,8 @@ export class Reporter {
     const trace = session.trace(this.traced)
     this.traced = trace.iterations.at(-1) ?? this.traced
     const events = this.events()
+    const { repeats } = this
+    this.repeats = false
     const span = this.newSpan(state.furthest.iteration)
     const inspection = desired.item ? session.inspect(desired.item) : null
     const { item, supposition } = desired
@@ -87,6 +97,7 @@ export class Reporter {
       ranges: Object.fromEntries(picture.frame.fields.map(({ role, range }) => [role, range])),
       trace,
       events,
+      repeats,
       span,
       inspection,
       supposed,

@@ -1,5 +1,20 @@
+import type { Language } from 'forage-lab'
+
 /** What brings the rest of the core, and words: the first picture needs neither. */
 export const rest = (): Promise<typeof import('forage-lab')> => import('forage-lab')
+
+let language = 'en'
+
+/** Has the core speak this language; its words are loaded if some were before. */
+export async function speakIn(tag: string): Promise<void> {
+  if (tag === language) return
+  language = tag
+  try {
+    await (await rest()).speakIn(tag as Language)
+  } catch (error) {
+    console.warn(error)
+  }
+}
 
 /** Loads words. Where they cannot be loaded the run goes on: texts are keys, and the next call tries again. */
 export async function words(): Promise<void> {

@@ -9,7 +9,7 @@ import { stepping } from './printing'
 import { Places } from './places'
 import { Reporter } from './reporter'
 import { type CodeInLinks, codeInLinks, registered } from './setups'
-import { words } from './rest'
+import { speakIn, words } from './rest'
 
 const FRAME_INTERVAL = 1000 / 60
 /** A run that plays faster than so many iterations a second is reported so often, in milliseconds: numbers that change faster cannot be read. */
@@ -71,6 +71,7 @@ export class RunHost {
   private linked = false
   /** There are words. */
   private speaks = false
+  private language = 'en'
   /** Runs of other planners that the next step waits for. */
   private subtasks: { id: number; done(results: Finding[] | null): void } | null = null
   private asked = 0
@@ -106,6 +107,7 @@ export class RunHost {
     if ('members' in change) this.present?.reporter.askMembers()
     if (change.viewport) this.lookAt()
     if (change.item && !this.speaks) void this.learnToSpeak()
+    if (change.language !== undefined) void this.speakIn(change.language)
     if (change.speed !== undefined) this.due = performance.now()
     if (change.start || change.target) {
       this.turn += 1
@@ -143,6 +145,15 @@ export class RunHost {
   private async learnToSpeak(): Promise<void> {
     await words()
     this.speaks = true
+    this.refresh()
+  }
+
+  /** What was said in another language is said once more. */
+  private async speakIn(language: string): Promise<void> {
+    if (language === this.language) return
+    this.language = language
+    await speakIn(language)
+    this.present?.reporter.repeat()
     this.refresh()
   }
 

@@ -5,6 +5,7 @@ import type { RunSetup } from '../../catalogue/own'
 import type { Files } from '../host'
 import { from } from './files'
 import { causeOf, refusalOf } from './refusal'
+import { speakIn } from './rest'
 import { AGAIN, iterationsFor, moreIterations, type Spending } from '../budget'
 import { within } from './answers'
 import { breathe, SLICE } from './pace'
@@ -100,6 +101,8 @@ const api = {
   open(files: Files): void {
     serveBy(from(files))
   },
+
+  speakIn,
 
   /** A sign of life. */
   beat: (): void => undefined,

@@ -1,14 +1,14 @@
 import { expect, test } from 'vitest'
 import { addressOf, type Embedding, elementOf, iframeOf, withLink } from './embedding'
 
-const usual: Embedding = { controls: 'play', theme: 'system', autoplay: false, width: 480, height: 320 }
+const usual: Embedding = { controls: 'play', theme: 'system', language: '', autoplay: false, width: 480, height: 320 }
 const elsewhere = { page: 'https://example.org/forage/', element: 'https://example.org/forage/element.js' }
 const LINK = '#v=1&planner=pso&scene=sphere&seed=1&at=5'
 
 test('an address says only what differs from what is usual', () => {
   expect(addressOf(elsewhere, usual, LINK)).toBe(`https://example.org/forage/?embed${LINK}`)
-  expect(addressOf(elsewhere, { ...usual, controls: 'none', theme: 'dark', autoplay: true }, LINK)).toBe(
-    `https://example.org/forage/?embed&controls=none&theme=dark&autoplay${LINK}`,
+  expect(addressOf(elsewhere, { ...usual, controls: 'none', theme: 'dark', language: 'zh-CN', autoplay: true }, LINK)).toBe(
+    `https://example.org/forage/?embed&controls=none&theme=dark&lang=zh-CN&autoplay${LINK}`,
   )
 })
 

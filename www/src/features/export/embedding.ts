@@ -5,6 +5,8 @@ import type { Elsewhere } from '../../engine/host'
 export interface Embedding {
   controls: Controls
   theme: 'system' | 'light' | 'dark'
+  /** A language of the page; none: the reader’s. */
+  language: string
   autoplay: boolean
   width: number
   height: number
@@ -19,10 +21,11 @@ const ESCAPES: Readonly<Record<string, string>> = { '&': '&amp;', '"': '&quot;',
 export const escaped = (text: string): string => text.replace(/[&"<>]/g, (letter) => ESCAPES[letter] ?? letter)
 
 /** What differs from what is usual, as pairs. */
-function optionsOf({ controls, theme, autoplay }: Embedding): [string, string][] {
+function optionsOf({ controls, theme, language, autoplay }: Embedding): [string, string][] {
   const all: [string, string, boolean][] = [
     ['controls', controls, controls !== 'play'],
     ['theme', theme, theme !== 'system'],
+    ['lang', language, language !== ''],
     ['autoplay', '', autoplay],
   ]
   return all.filter(([, , told]) => told).map(([name, value]) => [name, value])

@@ -1,6 +1,7 @@
+import { saidOf } from '../../text/said'
 import { canvasesOf } from '../stage/canvases'
 import { figures as text } from '../../locales/en/figures'
-import { en } from '../../locales/en/page'
+import { common } from '../../locales/en/common'
 import type { Footer } from '../../render/display'
 import type { Lab } from '../../stores/lab.svelte'
 import { compared } from '../../text/gap'
@@ -9,7 +10,7 @@ import type { Described } from './described'
 
 /** What a figure of the run shows, in a line. */
 export const titleOf = (lab: Lab, iteration = lab.playback.iteration): string =>
-  text.of(lab.setup.planner?.title ?? '', lab.run.present?.scene.title ?? '', iteration)
+  text.of(lab.setup.planner?.title ?? '', saidOf(lab.run.present?.scene.title ?? ''), iteration)
 
 /** What the files of the run are called. */
 export const nameOf = (lab: Lab): string =>
@@ -29,9 +30,9 @@ function found(lab: Lab): string[] {
   if (!outcome || value === null) return []
   const isPath = outcome.length !== null
   return [
-    `${isPath ? en.result.length : en.result.cost} ${number(value, 6)}`,
+    `${isPath ? common.result.length : common.result.cost} ${number(value, 6)}`,
     ...(outcome.gap === null ? [] : [compared(outcome.gap, lab.run.optimum)]),
-    ...(isPath ? [outcome.feasible ? en.result.free : en.result.cuts] : []),
+    ...(isPath ? [outcome.feasible ? common.result.free : common.result.cuts] : []),
   ]
 }
 

@@ -1,4 +1,5 @@
 import type { NamedFile } from 'forage-lab'
+import { punctuation } from '../../locales/en/punctuation'
 import { scenes } from '../../locales/en/scenes'
 import type { Lab } from '../../stores/lab.svelte'
 import type { ImportedFiles } from '../../stores/scene.svelte'
@@ -16,7 +17,9 @@ async function take(lab: Lab, files: NamedFile[], problem?: number): Promise<voi
     const names = files.map(({ name }) => name)
     // What is wrong within a scene is told by its fields.
     const named = refusal.unloaded || names.some((name) => message.includes(name))
-    lab.notices.warn(refusal, scenes.imported.files(named ? message : `${names.join(', ')}: ${message}`), () => take(lab, files, problem))
+    lab.notices.warn(refusal, scenes.imported.files(named ? message : punctuation.pair(punctuation.list(names), message)), () =>
+      take(lab, files, problem),
+    )
     return
   }
   const { scene, notes, problems } = answer.value
@@ -37,7 +40,7 @@ export async function importFiles(lab: Lab, files: Iterable<File>, code = false)
     named = await lab.scene.ask(() => Promise.all(given.map(read)))
   } catch {
     // A folder, or a file that has gone meanwhile.
-    lab.notices.text = scenes.imported.unreadable(given.map(({ name }) => name).join(', '))
+    lab.notices.text = scenes.imported.unreadable(punctuation.list(given.map(({ name }) => name)))
     return
   }
   if (named) await take(lab, named)

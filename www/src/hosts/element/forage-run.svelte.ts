@@ -1,6 +1,7 @@
 import { mount, unmount } from 'svelte'
 import { STANDARD } from '../../catalogue/standard'
 import { host } from '../../engine/host'
+import { closest, language, type Tag } from '../../locales/language.svelte'
 import type { Controls } from '../../catalogue/embedding'
 import { optionsOf } from '../../rooms/embed/options'
 import type { RunEvent, RunState } from 'forage-lab/embed'
@@ -8,6 +9,7 @@ import { obey, stateOf, tell } from '../../rooms/embed/remote.svelte'
 import { attributesOf } from '../../stores/attributes'
 import { Lab } from '../../stores/lab.svelte'
 import { stillness, Theme } from '../../stores/theme.svelte'
+import { firstLanguage } from '../../stores/spoken'
 import { lessonIn, type Place } from '../../stores/lesson-address'
 import { linkOf, SETUP } from './link'
 import Run from './Run.svelte'
@@ -18,6 +20,8 @@ const HOST =
   ':host{display:block;position:relative;width:100%;min-width:320px;min-height:240px;aspect-ratio:3/2;overflow:hidden}:host([hidden]){display:none}'
 
 let shared: CSSStyleSheet | undefined
+/** The language that the last element asked for. */
+let wanted: Tag | undefined
 
 /** All elements of a page share one sheet. */
 function sheet(): CSSStyleSheet {
@@ -37,10 +41,10 @@ interface Shown {
  * `<forage-run>`: a run on a page. It begins when it comes into view, and pauses while it is out of sight.
  *
  * Attributes: `src` (a link of a run, or `#lesson=` and a lesson’s name), or `planner`, `scene`, `seed`, `params` (`w=0.7; c1=2`) and `at`; `layers` (`best,-particles`);
- * `controls` (`none`, `play`, `full`), `theme` (`light`, `dark`, `system`), `autoplay`.
+ * `controls` (`none`, `play`, `full`), `theme` (`light`, `dark`, `system`), `lang` (`en`, `zh-CN`), `autoplay`.
  */
 export class ForageRun extends HTMLElement {
-  static readonly observedAttributes = [...SETUP, 'controls', 'theme']
+  static readonly observedAttributes = [...SETUP, 'controls', 'theme', 'lang']
 
   private shown: Shown | undefined
   private readonly look = $state<{ controls: Controls; lesson: Place | null }>({ controls: 'play', lesson: null })
@@ -70,6 +74,10 @@ export class ForageRun extends HTMLElement {
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after) return
+    if (name === 'lang') {
+      void this.speak()
+      return
+    }
     if (name === 'controls' || name === 'theme') {
       this.dress()
       return
@@ -115,6 +123,14 @@ export class ForageRun extends HTMLElement {
     const { controls, theme } = optionsOf((name) => this.getAttribute(name))
     this.look.controls = controls
     this.theme.choice = theme
+  }
+
+  /** A document has one language: that which an element asks for, or else that of a link or the browser. */
+  private async speak(): Promise<void> {
+    const asked = closest(this.getAttribute('lang') ?? '')
+    wanted = asked ?? wanted
+    const tag = wanted ?? firstLanguage(this.getAttribute('src') ?? '', '')
+    if (tag !== language.tag) await language.speak(tag)
   }
 
   private see(visible: boolean): void {
@@ -189,6 +205,7 @@ export class ForageRun extends HTMLElement {
     try {
       this.look.lesson = this.lesson
       address.first = await (this.look.lesson ? null : this.link())
+      await this.speak()
       // It may have been taken away meanwhile.
       if (this.shown?.lab !== lab) return
       await lab.open()

@@ -12,7 +12,5 @@ document.currentScript?.remove()
 // As it was opened, before the page is put into it.
 const source = `<!doctype html>\n${document.documentElement.outerHTML}\n`.replace(/ data-link="[^"]*"/, ' data-link=""')
 useHost({ ...inlinedHost, singleFile: () => Promise.resolve(source) })
-prepare()
-
 const target = document.getElementById('app')
-if (target) mount(File, { target })
+void prepare().then(() => target && mount(File, { target }))

@@ -9,7 +9,5 @@ import '../../ui/theme/tokens.css'
 import '../../ui/theme/base.css'
 
 useHost(pageHost)
-prepare()
-
 const target = document.getElementById('app')
-if (target) mount(new URLSearchParams(location.search).has('embed') ? Frame : App, { target })
+void prepare().then(() => target && mount(new URLSearchParams(location.search).has('embed') ? Frame : App, { target }))

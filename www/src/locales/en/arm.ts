@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text about arms: loaded with the first one. */
-export const arm = {
+export const arm = texts('arm', {
   sections: { motion: 'Motion', postures: 'Postures of a point', survey: 'Reachable workspace' },
   motion: {
     begin: 'Let the arm follow the path',
@@ -148,4 +150,4 @@ export const arm = {
     touchesAtOnce: 'arm touches something',
     lost: (why: string) => `does not arrive${why ? `: ${why}` : ''}`,
   },
-} as const
+} as const)

@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of the page on which lessons are written. */
-export const authoring = {
+export const authoring = texts('authoring', {
   captured: (n: number) => `Captured as step ${n} of your lesson`,
   uncaptured: 'There is no run to capture.',
   title: 'Your lesson',
@@ -102,4 +104,4 @@ export const authoring = {
   delete: 'Delete this lesson',
   deleteSure: 'Delete it for good',
   wrong: (problem: string) => `Not complete yet: ${problem}`,
-} as const
+} as const)

@@ -1,9 +1,11 @@
+import { texts } from '../texts'
+
 const list = (names: readonly string[]): string =>
   names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 const areDeterministic = (names: readonly string[]): string => `${list(names)} ${names.length === 1 ? 'is' : 'are'} deterministic`
 
 /** Text of a comparison’s statistics. What the core says comes with the catalogue, and with its refusals. */
-export const batch = {
+export const batch = texts('batch', {
   run: {
     start: (runs: string) => `Run ${runs} runs`,
     stop: 'Stop',
@@ -176,4 +178,4 @@ export const batch = {
     tomlHelp: 'A file that repeats this batch in the shell: forage experiment FILE.toml',
     tomlHead: 'The batch of the page; repeat it with: forage experiment',
   },
-} as const
+} as const)

@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of panels and bars that are loaded when they are asked for. */
-export const closer = {
+export const closer = texts('closer', {
   bias: {
     title: 'Centre bias.',
     ratio: (value: string, from: string, to: string) => `${value} (${from}–${to})`,
@@ -11,13 +13,13 @@ export const closer = {
     empty: 'Click a path, a point or a cell on the stage to see what is behind it.',
     close: 'Close the inspection',
     values: 'All numbers',
-    /** What a table has, by what its rows are. */
-    deeper: {
-      Coordinate: 'All coordinates',
-      Place: 'All places',
-      Sample: 'All samples',
-      Neighbour: 'All neighbours',
-    } as Readonly<Record<string, string>>,
+    /** A table by what its rows are: its title, one of them, and all. */
+    tables: {
+      coordinate: { title: (title: string) => `${title}, coordinate by coordinate`, row: 'Coordinate', all: 'All coordinates' },
+      place: { title: (title: string) => `${title}, place by place`, row: 'Place', all: 'All places' },
+      sample: { title: (title: string) => `${title}, sample by sample`, row: 'Sample', all: 'All samples' },
+      neighbour: { title: (title: string) => `${title}, neighbour by neighbour`, row: 'Neighbour', all: 'All neighbours' },
+    },
     whatIf: 'What if …',
     asItWas: 'as it was',
     again: 'Draw again',
@@ -25,16 +27,8 @@ export const closer = {
     instead: (cost: string, was: string) => `Cost ${cost} instead of ${was}.`,
     way: (length: string, was: string) => `Length ${length} instead of ${was}.`,
     formulas: 'Formulas with the numbers put in',
-    table: (title: string) => `${title}, coordinate by coordinate`,
-    coordinate: 'Coordinate',
-    places: (title: string) => `${title}, place by place`,
-    place: 'Place',
-    samples: (title: string) => `${title}, sample by sample`,
-    sample: 'Sample',
     differs: 'differs',
     same: 'the same',
-    neighbours: (title: string) => `${title}, neighbour by neighbour`,
-    neighbour: 'Neighbour',
     event: 'What happened:',
     key: 'On the stage',
     roles: {
@@ -176,4 +170,4 @@ export const closer = {
     useTuned: 'Use these parameters',
     published: 'Published for this scene',
   },
-} as const
+} as const)

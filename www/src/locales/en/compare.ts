@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of what is compared: planners, scene, seeds and budget. */
-export const compare = {
+export const compare = texts('compare', {
   lead: 'The same scene and the same number of evaluations for all: once side by side, or with many seeds as statistics.',
   as: { label: 'How to look at it', titles: { watch: 'Watch', statistics: 'Statistics' } },
   address: (why: string) => `Not all of this address could be opened. ${why}`,
@@ -98,4 +100,4 @@ export const compare = {
       drives: { title: 'Driving among moving obstacles', help: 'Three replanning methods among moving obstacles.' },
     },
   },
-} as const
+} as const)

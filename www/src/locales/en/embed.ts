@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of the dialog that gives what shows a run on another page. */
-export const embed = {
+export const embed = texts('embed', {
   title: 'Embed this run',
   intro: 'Copy this into your page. It shows the run as it stands; who looks at it can step on and back.',
   as: 'Text for',
@@ -10,6 +12,7 @@ export const embed = {
   controlNames: { none: 'None', play: 'Play', full: 'All' },
   theme: 'Colours',
   themes: { system: 'Reader’s', light: 'Light', dark: 'Dark' },
+  language: 'Language',
   autoplay: 'Plays when it comes into view',
   width: 'Width',
   height: 'Height',
@@ -21,4 +24,4 @@ export const embed = {
   preview: 'Preview',
   lessonTooLarge: 'This lesson is longer than a link may be. Share it as a file instead.',
   failed: (message: string) => `There is no link of this run: ${message}`,
-} as const
+} as const)

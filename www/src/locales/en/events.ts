@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text about what happens in simulated time: loaded with the first run that tells of any. */
-export const events = {
+export const events = texts('events', {
   rail: 'Events on the timeline',
   when: (time: string, iteration: string) => `${time} s, iteration ${iteration}`,
   seconds: (time: string) => `${time} s`,
@@ -35,4 +37,4 @@ export const events = {
     struckUnderway: (count: string) => `${count} so far`,
     figures: 'The drive',
   },
-} as const
+} as const)

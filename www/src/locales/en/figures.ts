@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Figures and recordings. */
-export const figures = {
+export const figures = texts('figures', {
   button: 'Figure',
   help: 'Save this chart as SVG or PNG, with axes, legend and caption.',
   title: 'Save as a figure',
@@ -45,4 +47,4 @@ export const figures = {
     failed: 'The recording failed. Another format may work: not every browser writes every format.',
     most: (pictures: number, most: number) => `${pictures} pictures are too many; at most ${most} are possible. Choose a larger step.`,
   },
-} as const
+} as const)

@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text about the run before a change. */
-export const forks = {
+export const forks = texts('forks', {
   label: 'The run before the change',
   before: (value: string, iteration: string) => `before the change: ${value}, iteration ${iteration}`,
   undo: 'Undo',
@@ -9,4 +11,4 @@ export const forks = {
   noEarlier: 'The code of before could not be given another name: write the name right after register({ to compare the two.',
   otherScene: 'Their scenes are of different kinds.',
   dismiss: 'Hide the run before',
-} as const
+} as const)

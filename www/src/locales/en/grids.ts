@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of the stage’s tools and layers for grids: loaded with the first grid. */
-export const grids = {
+export const grids = texts('grids', {
   look: 'Look around: drag to move the view, click to look closer',
   paint: 'Paint cells',
   clear: 'Clear: remove all walls',
@@ -11,4 +13,4 @@ export const grids = {
   marginHelp: 'Where the robot’s centre may not be: nearer to a blocked cell than the robot’s radius.',
   moving: 'Moving obstacles',
   movingHelp: 'Where they begin, and where they go in a second.',
-} as const
+} as const)

@@ -1,3 +1,5 @@
+import { texts } from '../texts'
+
 /** A key, or several that belong together, and what they do. */
 export type KeyRow = readonly [keys: readonly string[], what: string]
 
@@ -90,9 +92,9 @@ const race: KeyGroup = {
 /** As a sentence for those who hear it. */
 const spoken = ({ rows }: KeyGroup): string => rows.map(([keys, what]) => `${keys.join(', ')}: ${what}.`).join(' ')
 
-export const keys = {
+export const keys = texts('keys', {
   title: 'Keys',
   groups: [everywhere, run, stage, space, presenting, race],
   stageHelp: `${spoken(run)} ${spoken(stage)}`,
   spaceHelp: spoken(space),
-}
+})

@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of the room where a newcomer begins. */
-export const learn = {
+export const learn = texts('learn', {
   title: 'A swarm looks for the shortest way',
   lead: 'Each line is a particle: it remembers its best way, and hears of the best of all.',
   prompt: 'Drag a disc',
@@ -23,4 +25,4 @@ export const learn = {
     text: 'What they claim, and what comes out when it is run again.',
     open: 'See the papers',
   },
-} as const
+} as const)

@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of lessons: what is around their own words. */
-export const lesson = {
+export const lesson = texts('lesson', {
   lessons: 'Lessons',
   lead: 'Each takes about ten minutes. You predict first; the core says what comes out.',
   minutes: (n: number) => `${n} minutes`,
@@ -108,4 +110,4 @@ export const lesson = {
     evaluations: 'evaluations',
     iterations: 'iterations',
   } as Readonly<Record<string, string>>,
-} as const
+} as const)

@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text about moving obstacles, the robot that meets them, and a printed path: loaded with the first grid. */
-export const moving = {
+export const moving = texts('moving', {
   printed: 'Printed path',
   printedHelp: (length: string) => `The path that the paper prints cell by cell: ${length} long.`,
   title: 'Moving obstacles',
@@ -42,4 +44,4 @@ export const moving = {
     margin: 'Margin',
     look_ahead: 'Looks ahead, seconds',
   },
-} as const
+} as const)

@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of the panels that are there at once; that of the others is in closer.ts. What the core says (titles, help, symbols) isn't here: it comes with the catalogue. */
-export const panels = {
+export const panels = texts('panels', {
   parameters: {
     help: (title: string) => `About ${title}`,
     slider: (title: string) => `${title}, slider`,
@@ -54,4 +56,4 @@ export const panels = {
     summary: (title: string, first: string, last: string, from: string, to: string) =>
       `${title} went from ${first} at iteration ${from} to ${last} at iteration ${to}.`,
   },
-} as const
+} as const)

@@ -1,3 +1,5 @@
+import { texts } from '../texts'
+
 /** The names of marks, by kind. */
 const names = {
   value: {
@@ -19,7 +21,7 @@ const names = {
 } as const
 
 /** Text of the papers' cards: loaded with them. Claims come from REPRODUCTION.claims.json, figures from REPRODUCTION.csv. */
-export const papers = {
+export const papers = texts('papers', {
   title: 'Papers',
   intro:
     'Five papers: what they claim, whether it holds here, and their published figures next to the computed ones. Everything was computed by the planners that run in this page. Open a claim to see the tests behind its mark and to watch the runs.',
@@ -139,4 +141,4 @@ export const papers = {
     'ARM-RRT': 'Guided RRT for an arm with six axes',
     'WOLF-ANT': 'A wolf-pack ant colony tuned by a swarm, among moving obstacles',
   },
-} as const
+} as const)

@@ -1,8 +1,10 @@
+import { texts } from '../texts'
+
 const list = (names: readonly string[]): string =>
   names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 
 /** Text of a comparison that is watched. */
-export const race = {
+export const race = texts('race', {
   /** On functions any result may be used. */
   best: (any: boolean) => (any ? 'Best' : 'Feasible best'),
   lanes: 'Planners side by side',
@@ -92,4 +94,4 @@ export const race = {
     over: 'The race is over.',
     nobody: 'Nobody has a feasible result.',
   },
-} as const
+} as const)

@@ -1,9 +1,11 @@
+import { texts } from '../texts'
+
 const ENDINGS: Readonly<Record<string, string>> = { one: 'st', two: 'nd', few: 'rd' }
 const ordinals = new Intl.PluralRules('en', { type: 'ordinal' })
 const ordinal = (n: number): string => `${n}${ENDINGS[ordinals.select(n)] ?? 'th'}`
 
 /** Text about scenes and files: what is loaded when it is asked for. */
-export const scenes = {
+export const scenes = texts('scenes', {
   scene: {
     open: 'Open files',
     make: 'Random scene',
@@ -114,4 +116,4 @@ export const scenes = {
     making: 'The run is replayed for this picture …',
     failed: 'That could not be exported.',
   },
-} as const
+} as const)

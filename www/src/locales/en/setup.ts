@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text of what is run: case, planner, scene and seed. */
-export const setup = {
+export const setup = texts('setup', {
   case: 'Case',
   planner: 'Planner',
   scene: 'Scene',
@@ -22,4 +24,4 @@ export const setup = {
   seed: 'Seed',
   source: 'Source',
   seedHint: 'A whole number from 0 to 9 007 199 254 740 991.',
-} as const
+} as const)

@@ -1,6 +1,8 @@
+import { texts } from '../texts'
+
 const metres = (value: number): string => `${Number(value.toFixed(3))}`.replace('-', '−')
 
-export const space = {
+export const space = texts('space', {
   label: 'Stage in space: the arm, its workspace and what the planner makes of it',
   words: ({ size, cuboids, nodes, length, from, to }: Words): string =>
     [
@@ -32,7 +34,7 @@ export const space = {
   failed: 'This browser can’t draw in space',
   why: 'The 3D stage needs WebGL 2, and the browser doesn’t provide it: hardware acceleration may be switched off in its settings. All else works: the run, its numbers, the scene’s tables, exports.',
   lost: 'The graphics card has dropped the picture; it comes back by itself as soon as the card is free.',
-}
+})
 
 interface Words {
   size: readonly number[]

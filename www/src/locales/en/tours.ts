@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Text about tours and those that search side by side: loaded when there are any. */
-export const tours = {
+export const tours = texts('tours', {
   step: (title: string, k: string, of: string, runs: string) => `${title} ${k} of ${of}: ${runs}`,
   order: {
     title: (stops: string) => `Order of the ${stops} stops`,
@@ -19,4 +21,4 @@ export const tours = {
     pick: 'Click a bar to look closer',
     hint: 'Click a row, or press Enter on it, to look closer.',
   },
-} as const
+} as const)

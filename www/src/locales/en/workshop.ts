@@ -1,5 +1,7 @@
+import { texts } from '../texts'
+
 /** Where planners are written. */
-export const workshop = {
+export const workshop = texts('workshop', {
   title: 'Workshop',
   editor: 'Code of the planner. Press Escape, then Tab, to leave the editor.',
   templates: 'Template',
@@ -79,7 +81,7 @@ export const workshop = {
     leave: 'Do not run it',
   },
   last: 'Your last code',
-} as const
+} as const)
 
 /** What usual errors mean, for somebody who begins. The first that fits is said. */
 export const EXPLANATIONS: readonly (readonly [RegExp, string])[] = [

@@ -3,17 +3,18 @@ import { workshop } from '../../locales/en/workshop'
 import { isShortened, LARGEST } from '../../stores/large-links'
 import type { Lab } from '../../stores/lab.svelte'
 import { route } from '../../stores/route.svelte'
+import { languageKey } from '../../stores/spoken'
 
 async function linkOfRun(lab: Lab): Promise<string> {
   const answer = await lab.api.link()
   if (!answer.ok || !answer.value) throw new Error(answer.ok ? '' : answer.refusal.message)
-  return new URL(answer.value + route.added, location.href).href
+  return new URL(answer.value + route.added + languageKey(), location.href).href
 }
 
 async function linkOfLesson(lab: Lab): Promise<string | null> {
   if (!route.keysOf('learn').startsWith('&lesson=') || route.view !== 'learn') return null
   const found = await (await import('../../stores/lesson-link')).lessonLink(lab)
-  return found && new URL(found.address, location.href).href
+  return found && new URL(found.address + languageKey(), location.href).href
 }
 
 /** A planner that somebody wrote, of which the code is too long for a link. */

@@ -1,3 +1,4 @@
+import { punctuation } from '../../../locales/en/punctuation'
 import { number, superscript } from '../../../text/number'
 import { decades as powers } from '../scale'
 
@@ -6,6 +7,8 @@ export type ValueScale = 'linear' | 'log'
 
 /** Gaps by rounding alone are none. */
 const ROUNDING = 1e-12
+const inMeasure = (text: string, measure: Measure): string => (measure === 'gap' ? punctuation.percent(text) : text)
+
 export const isPositive = (value: number, measure: Measure): boolean => value > (measure === 'gap' ? ROUNDING : 0)
 
 /** How values become places on an axis: the axis itself is linear, what is logarithmic are the numbers. */
@@ -53,7 +56,7 @@ export function linear(values: readonly number[], measure: Measure): Axis {
   return {
     place: (value) => (measure === 'gap' ? 100 * value : value),
     range: [low - margin, high + margin].map((value) => (measure === 'gap' ? 100 * value : value)) as [number, number],
-    label: (place, step) => decimals(place, step) + (measure === 'gap' ? ' %' : ''),
+    label: (place, step) => inMeasure(decimals(place, step), measure),
   }
 }
 
@@ -81,9 +84,9 @@ export function logarithmic(values: readonly number[], measure: Measure): Axis {
     range: [from - margin, to + margin],
     splits: decades,
     label: (place) => {
-      if (place === floor) return measure === 'gap' ? '0 %' : '0'
+      if (place === floor) return inMeasure('0', measure)
       const power = measure === 'gap' ? place + 2 : place
-      return powerLabel(power) + (measure === 'gap' ? ' %' : '')
+      return inMeasure(powerLabel(power), measure)
     },
   }
 }

@@ -1,6 +1,9 @@
+import { saidOf } from '../../../text/said'
 import type { Generator, ParameterValue, Planner, Scene } from 'forage-lab'
 import { codeOf } from '../../../catalogue/own'
 import { applies, standardOn } from '../../../catalogue/parameters'
+import { shortly } from '../../../catalogue/cases'
+import { punctuation } from '../../../locales/en/punctuation'
 import { compare as text } from '../../../locales/en/compare'
 import { canRun } from '../../../catalogue/suitability'
 import type { Maps, Values } from '../../../engine/trial.protocol'
@@ -72,14 +75,14 @@ export function paramsOf(planner: Planner, { params }: Entrant, { scene }: Plan)
 export const keyOf = (planner: Planner, params: Values, { scene, maps }: Plan, evaluations: number | null): string =>
   JSON.stringify([planner.name, codeOf(planner).code, maps ?? numberOf(scene), params, evaluations])
 
-export const shortTitle = ({ title }: Planner): string => title.split(':')[0] ?? title
+export const shortTitle = ({ title }: Planner): string => shortly(title)
 
 /** A value as it is typed and as files hold it. */
 export const told = (value: ParameterValue | undefined): string => String(value)
 
 /** What is drawn on: a scene, or random maps. */
 export const groundOf = ({ scene, maps }: Plan, generators: readonly Generator[]): string =>
-  generators.find(({ name }) => name === maps?.generator)?.title ?? scene.title
+  generators.find(({ name }) => name === maps?.generator)?.title ?? saidOf(scene.title)
 
 /** What an entrant is called: its planner, and in which parameters it differs from others with the same planner. */
 export function labels(plan: Plan, planners: readonly Planner[]): string[] {
@@ -95,7 +98,7 @@ export function labels(plan: Plan, planners: readonly Planner[]): string[] {
       const value = valueIn(entrant, at)
       return alike.some((other) => valueIn(other, at) !== value) ? [`${name} = ${told(value)}`] : []
     })
-    return [shortTitle(planner), ...differing, ...(entrant.scene ? [text.entrants.before] : [])].join(', ')
+    return punctuation.clauses([shortTitle(planner), ...differing, ...(entrant.scene ? [text.entrants.before] : [])])
   })
 }
 

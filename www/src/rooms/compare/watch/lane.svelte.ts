@@ -4,7 +4,7 @@ import { codeOf } from '../../../catalogue/own'
 import type { Values } from '../../../engine/trial.protocol'
 import type { Refusal, Report, Run } from '../../../engine/protocol'
 import { RunClient } from '../../../engine/run-client'
-import { en } from '../../../locales/en/page'
+import { common } from '../../../locales/en/common'
 import { type Names, namesOf } from '../../../render/looks'
 import { sameScene } from '../../../scene/equality'
 import { Outlet } from '../../../render/outlet'
@@ -182,7 +182,7 @@ export class Lane {
 
   private refused({ message, unloaded }: Refusal): void {
     if (this.client.starting) return
-    this.refuse(unloaded ? en.notices.unloaded(message) : message)
+    this.refuse(unloaded ? common.notices.unloaded(message) : message)
     this.onstarted?.(false)
   }
 

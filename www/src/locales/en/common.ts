@@ -1,6 +1,13 @@
+import { texts } from '../texts'
+
 /** Text of the page; the panels' is in panels.ts, that about scenes and files in scenes.ts, the core's comes with the catalogue. */
-export const en = {
+export const common = texts('common', {
+  /** A random scene: what it is of, how large, and its seed. */
+  random: (title: string, size: string, seed: string) => [title, size, `seed ${seed}`].filter(Boolean).join(', '),
   name: 'Forage',
+  title: 'Forage – a laboratory for path planners',
+  description:
+    'Forage: a laboratory for path planners. Watch a swarm plan a path one iteration at a time, rewind it, edit the scene, and read the formulas with their numbers.',
   tagline: 'a laboratory for path planners',
   loading: 'Loading the planners …',
   skip: 'Skip to the stage',
@@ -181,4 +188,4 @@ export const en = {
     retry: 'Try again',
     dismiss: 'Dismiss',
   },
-} as const
+} as const)

@@ -1,0 +1,48 @@
+import type * as English from '../../../www/src/locales/en/moving'
+import type { Translated } from '../../../www/src/locales/texts'
+
+/** Text about moving obstacles, the robot that meets them, and a printed path: loaded with the first grid. */
+export const moving: Translated<typeof English.moving> = {
+  printed: '原文路径',
+  printedHelp: (length: string) => `原文逐个栅格给出的路径：长度 ${length}。`,
+  title: '动态障碍物',
+  help: '动态障碍物可穿过障碍栅格，也可彼此穿过；vx 和 vy 是每秒的位移。行驶类规划器在途中遇到它们，其他规划器不考虑它们。',
+  none: '该场景没有动态障碍物。',
+  name: (n: number) => `障碍物 ${n}`,
+  tool: '添加动态障碍物',
+  adding: '点击放置位置，或拖到一秒后的位置。',
+  addingLater: '点击放置静止的障碍物；拖动则使其运动，第 0 秒从该处出发。',
+  add: '添加障碍物',
+  remove: (name: string) => `删除${name}`,
+  field: (name: string, field: string) => `${name}：${field}`,
+  x: 'x',
+  y: 'y',
+  radius: '半径',
+  vx: 'vx',
+  vy: 'vy',
+  spoken: { x: 'x', y: 'y', radius: '半径', vx: 'x 方向速度', vy: 'y 方向速度' },
+  ways: (count: number) => `${count} 个导航点`,
+  straighten: '改为匀速',
+  straightenHelp: '舍去导航点，保持出发时的速度。',
+  keys: '方向键移动四分之一格；按住 Shift 时，增大该方向的速度。Delete 删除，Esc 取消选择。',
+  list: '画面中的动态障碍物',
+  told: (name: string, of: number, x: string, y: string, radius: string, motion: string) =>
+    `${name}，共 ${of} 个，位于 (${x}, ${y})，半径 ${radius}，${motion}`,
+  goes: (vx: string, vy: string) => `每秒位移 (${vx}, ${vy})`,
+  stands: '静止',
+  follows: (count: number) => `经过 ${count} 个导航点`,
+  gone: (left: number) => (left === 0 ? '障碍物已删除，没有剩余' : `障碍物已删除，剩余 ${left} 个`),
+  earlier: '前面的障碍物',
+  later: '后面的障碍物',
+  rows: (from: number, to: number, count: number) => `第 ${from} 至 ${to} 个，共 ${count} 个`,
+  robot: {
+    title: '机器人',
+    help: '留空的项由规划器决定。',
+    speed: '行驶速度（每秒）',
+    turn_time: '原地转向时间/s',
+    sensor: '传感器探测范围',
+    radius: '半径',
+    margin: '安全距离',
+    look_ahead: '预测时域/s',
+  },
+}

@@ -1,0 +1,97 @@
+import type * as English from '../../../www/src/locales/en/race'
+import type { Translated } from '../../../www/src/locales/texts'
+
+/** Names are in Latin letters or in Chinese: no space is between two Chinese characters. */
+const spaced = (text: string): string => text.replace(/(\p{Script=Han}) (?=\p{Script=Han})/gu, '$1')
+
+/** Text of a comparison that is watched. */
+export const race: Translated<typeof English.race> = {
+  /** On functions any result may be used. */
+  best: (any: boolean) => (any ? '最优结果' : '可行最优'),
+  lanes: '并排运行的规划器',
+  notch: '每个节拍的评价次数',
+  notchUsual: (count: string) => `${count}：这些规划器中单次迭代的最大评价次数`,
+  notchWrong: (typed: string) => `每个节拍的评价次数为“${typed}”；应为 1 至 1 000 000 的整数。`,
+  sides: { label: '视角', corner: '斜视', front: '正视', side: '侧视', top: '俯视' },
+  lane: {
+    open: '在实验室中打开',
+    opens: (name: string, iteration: string) => `在实验室中打开：${name}，迭代 ${iteration}`,
+    stage: (name: string) => spaced(`${name} 的画面`),
+    rank: (rank: number) => (rank === 1 ? '领先' : `第 ${rank} 名`),
+    first: (shared: boolean, over: boolean) => (over ? (shared ? '并列第一' : '第一') : shared ? '并列领先' : '领先'),
+    none: '尚无结果',
+    best: '最优',
+    gap: '最优性间隙',
+    to: (reference: string) => `（相对${reference}）`,
+    evaluations: '评价次数',
+    iteration: '迭代',
+    free: '无碰撞',
+    cuts: '穿过障碍物',
+    nothing: '尚未找到结果',
+    refused: '无法在此运行：',
+    crash: (message: string) => `运行中断（${message}）。其他规划器不受影响。`,
+    restart: '重新运行',
+    starting: '启动中……',
+    computing: '计算中……',
+    thinned: (n: number) => `每 ${n} 个绘制 1 个`,
+    status: { running: '运行中', solved: '已求解', exhausted: '已完成', infeasible: '无解', failed: '失败' },
+  },
+  stageHelp:
+    '空格键播放或暂停。左右方向键后退或前进一个节拍，按住 Shift 为十个节拍；Home 和 End 跳到开头和末尾。加号和减号缩放，0 显示全部，上下方向键移动视图，所有赛道同步变化。',
+  tools: { label: '所有赛道的视图', in: '放大', out: '缩小', fit: '显示全部' },
+  transport: {
+    label: '对比进程',
+    restart: '回到开头',
+    back: '后退一个节拍',
+    play: '播放',
+    pause: '暂停',
+    forward: '前进一个节拍',
+    end: '运行到结束',
+    timeline: '评价次数',
+    at: (clock: string, extent: string, known: boolean) => `第 ${clock} 次评价，${known ? '共' : '约共'} ${extent} 次`,
+    of: (extent: string, known: boolean) => `/ ${known ? '' : '≈ '}${extent}`,
+    unit: '评价次数',
+    speed: '每秒节拍数',
+    perSecond: (n: number) => `${n} / s`,
+    fastest: '最快',
+  },
+  chart: {
+    title: (best: string) => `${best}随评价次数的变化`,
+    label: (best: string) => `各规划器的${best}随评价次数的变化`,
+    empty: '尚无规划器得到可行结果。',
+    scale: '坐标刻度',
+    linear: '线性',
+    log: '对数',
+    logHint: '对数刻度要求数值为正。',
+    near: '最优值附近',
+    hint: '按左右方向键移动时刻',
+    exact: {
+      'any-angle': '最优值',
+      cells: '栅格路径的最优值',
+      matrix: '最短巡回路线',
+      stored: '场景文件所给最优值',
+      refuted: '场景文件所给巡回路线',
+    },
+    readout: (clock: string, marks: string) => `${clock} 次评价时：${marks}`,
+  },
+  table: {
+    title: (over: boolean) => (over ? '最终名次' : '当前名次'),
+    all: '名次表',
+    caption: (clock: string, best: string) => `${clock} 次评价时的名次：先按${best}排序，再按达到该结果所用的评价次数排序`,
+    rank: '名次',
+    planner: '规划器',
+    gap: '最优性间隙',
+    found: '达到时的评价次数',
+    evaluations: '评价次数',
+    iteration: '迭代',
+    state: '状态',
+    out: '未参与',
+  },
+  live: {
+    leads: (name: string, value: string, clock: string) => spaced(`${clock} 次评价时，${name} 以 ${value} 领先。`),
+    shared: (names: readonly string[], value: string, clock: string) =>
+      spaced(`${clock} 次评价时，${names.join('、')} 以 ${value} 并列领先。`),
+    over: '对比结束。',
+    nobody: '没有规划器得到可行结果。',
+  },
+}

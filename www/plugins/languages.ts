@@ -1,0 +1,49 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import type { Plugin } from 'vite'
+
+const ID = 'virtual:languages'
+const TEXTS = 'virtual:language-texts/'
+
+/** How a language calls itself. */
+interface Named {
+  name: string
+  sign: string
+}
+
+/**
+ * Provides `virtual:languages`: which languages there are, and where the words of each come from, loaded when it is spoken.
+ * @param locales the folder with a folder for each language besides English
+ * @param core the package, with the words of the catalogue
+ */
+export function languages(locales: string, core: string): Plugin {
+  const tags = readdirSync(locales, { withFileTypes: true })
+    .filter((entry) => entry.isDirectory())
+    .map(({ name }) => name)
+    .sort()
+  const named = (tag: string): Named => JSON.parse(readFileSync(`${locales}/${tag}/language.json`, 'utf8')) as Named
+  const modules = (tag: string): string[] => readdirSync(`${locales}/${tag}/page`).filter((file) => file.endsWith('.ts'))
+  return {
+    name: 'forage-languages',
+    resolveId: (id) => (id === ID || id.startsWith(TEXTS) ? `\0${id}` : undefined),
+    load(id) {
+      if (id === `\0${ID}`) {
+        const all = [{ tag: 'en', name: 'English', sign: 'EN' }, ...tags.map((tag) => ({ tag, ...named(tag) }))]
+        const words = tags.map(
+          (tag) => `'${tag}': {
+  texts: () => import('${TEXTS}${tag}').then((module) => ({ ...module })),
+  printed: () => import('${locales}/${tag}/texts/papers.json').then((module) => module.default),
+  catalogue: () => import('${core}/locales/${tag}/catalogue.json').then((module) => module.default),
+}`,
+        )
+        return `export const languages = ${JSON.stringify(all)}\nexport const load = {${words.join(',\n')}}`
+      }
+      if (id.startsWith(`\0${TEXTS}`)) {
+        const tag = id.slice(TEXTS.length + 1)
+        return modules(tag)
+          .map((file) => `export * from '${locales}/${tag}/page/${file}'`)
+          .join('\n')
+      }
+      return undefined
+    },
+  }
+}

@@ -1,0 +1,58 @@
+import { languages, load, type Words } from 'virtual:languages'
+import { translateBy } from './texts'
+
+export { languages }
+export const ENGLISH = { tag: 'en', name: 'English', sign: 'EN' }
+
+export type Tag = (typeof languages)[number]['tag']
+
+/** The language of the page: that of its texts, and of what the core says. */
+class Language {
+  tag = $state<Tag>('en')
+  /** Titles of the scenes that ship, and what is made of random ones, by what they are in English. */
+  titles = $state.raw<ReadonlyMap<string, string>>(new Map())
+  /** Called when it has changed. */
+  readonly listeners = new Set<() => void>()
+  private texts = $state.raw<Readonly<Record<string, object>>>({})
+
+  constructor() {
+    translateBy((module) => this.texts[module] as Readonly<Record<string, unknown>> | undefined)
+  }
+
+  /** Speaks another language, as soon as its words are there. */
+  async speak(tag: Tag): Promise<void> {
+    const texts = tag === 'en' ? {} : await wordsOf(tag).texts()
+    this.texts = texts
+    this.tag = tag
+    for (const tell of this.listeners) tell()
+  }
+}
+
+const wordsOf = (tag: Tag): Words => {
+  const words = load[tag]
+  if (!words) throw new RangeError(`there is no language ${tag}`)
+  return words
+}
+
+export const language = new Language()
+
+/** The language among ours that a tag asks for, such as `zh`, `zh-Hans-SG` or `en-GB`. */
+export function closest(wanted: string): Tag | undefined {
+  if (wanted === '') return undefined
+  const tags = languages.map(({ tag }) => tag)
+  const whole = tags.find((tag) => tag.toLowerCase() === wanted.toLowerCase())
+  const [base = ''] = wanted.toLowerCase().split('-')
+  return whole ?? tags.find((tag) => tag.toLowerCase().split('-')[0] === base)
+}
+
+/** The first language of the browser's that is ours. */
+export function preferred(): Tag {
+  for (const wanted of navigator.languages) {
+    const found = closest(wanted)
+    if (found) return found
+  }
+  return 'en'
+}
+
+/** Compares names as the language sorts them. */
+export const collator = (): Intl.Collator => new Intl.Collator(language.tag, { numeric: true })

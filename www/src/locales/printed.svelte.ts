@@ -1,0 +1,20 @@
+import { filled, numbered } from 'forage-lab/texts'
+import { load } from 'virtual:languages'
+import { language } from './language.svelte'
+
+let words = $state.raw<{ tag: string; texts: Readonly<Record<string, string>> }>({ tag: 'en', texts: {} })
+
+/** Loads how the language of the page says what `forage reproduce` wrote. To be called in an effect: it follows the language. */
+export async function loadPrinted(): Promise<void> {
+  const { tag } = language
+  const texts = (await load[tag]?.printed()) ?? {}
+  if (tag === language.tag) words = { tag, texts }
+}
+
+/** A text that `forage reproduce` wrote, in the language of the page. */
+export function printed(text: string): string {
+  if (words.tag === 'en') return text
+  const { text: pattern, numbers } = numbered(text)
+  const said = words.texts[pattern]
+  return said === undefined ? text : filled(said, numbers)
+}

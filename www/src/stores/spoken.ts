@@ -1,0 +1,43 @@
+import { closest, ENGLISH, language, languages, preferred, type Tag } from '../locales/language.svelte'
+import { recall, remember } from './storage'
+
+/* Which language the page speaks: that of its address, else the one that was chosen here before, else the browser's. */
+
+/** As addresses have it; the core skips what begins with `page.`. */
+const KEY = /&(?:page\.)?lang=([^&]*)/
+
+/** An address without its language. */
+export const withoutLanguage = (hash: string): string => hash.replace(KEY, '').replace(/^#lang=[^&]*&?/, '#')
+
+/** The language that an address asks for, if it is one of ours. */
+function languageOf(hash: string): Tag | undefined {
+  const [, wanted] = KEY.exec(hash.replace(/^#/, '&')) ?? []
+  return wanted === undefined ? undefined : closest(wanted)
+}
+
+/** The language that the page begins with. `hash`, `query`: of its address. */
+export function firstLanguage(hash: string, query: string): Tag {
+  const asked = new URLSearchParams(query).get('lang')
+  return languageOf(hash) ?? (asked === null ? undefined : closest(asked)) ?? closest(recall('language') ?? '') ?? preferred()
+}
+
+/** Speaks the language that an opened address asks for, if it asks for one. */
+export function followLanguage(hash: string): void {
+  const wanted = languageOf(hash)
+  if (wanted !== undefined && wanted !== language.tag) void language.speak(wanted)
+}
+
+/** What a switch leads to: the language after the present one. */
+export function nextLanguage(): (typeof languages)[number] {
+  const k = languages.findIndex(({ tag }) => tag === language.tag)
+  return languages[(k + 1) % languages.length] ?? ENGLISH
+}
+
+/** The user chooses a language. */
+export function chooseLanguage(tag: Tag): Promise<void> {
+  remember('language', tag)
+  return language.speak(tag)
+}
+
+/** What addresses have of the language: nothing where everybody would see it in English. */
+export const languageKey = (): string => (language.tag === 'en' && preferred() === 'en' ? '' : `&page.lang=${language.tag}`)
