@@ -46,6 +46,11 @@ function fixed(value, digits) {
 
 const functions = { NUMBER: ([value], { digits }) => new Fixed(value.valueOf(), { digits: Number(digits.valueOf()) }) }
 
+/** Between Han there is no space: where one is left by what was put in, it goes. */
+const HAN = '[\\u3000-\\u303f\\u3400-\\u9fff\\uff00-\\uffef]'
+const IDLE = new RegExp(`(?<=${HAN}) (?=${HAN})`, 'g')
+const joined = (said) => said.replace(IDLE, '')
+
 /** A function of a key and its arguments that says a message: undefined where there are no words for it. `add` gives it more. */
 export function speaker(locale, patterns) {
   const bundle = new FluentBundle(locale, { functions, useIsolating: false })
@@ -53,7 +58,7 @@ export function speaker(locale, patterns) {
     const pattern = bundle.getMessage(key)?.value
     if (pattern == null) return undefined
     const named = Object.entries(given).map(([name, value]) => [name, typeof value === 'number' ? new Plain(value) : value])
-    return bundle.formatPattern(pattern, Object.fromEntries(named), [])
+    return joined(bundle.formatPattern(pattern, Object.fromEntries(named), []))
   }
   say.add = (more) => {
     const text = Object.entries(more).map(([key, pattern]) => `${key} = ${pattern.replaceAll('\n', '\n    ')}\n`)

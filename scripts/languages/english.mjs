@@ -79,7 +79,7 @@ export function english(shell) {
   const catalogue = run('list', '--json')
   const names = namesOf(catalogue)
   const printed = [...claimed(json('REPRODUCTION.claims.json')), ...figures(readFileSync(`${root}/REPRODUCTION.csv`, 'utf8'))]
-  const texts = { ...catalogued(catalogue), papers: printed.filter((text) => !names.has(text)).map((text) => numbered(text).text) }
+  const texts = { ...catalogued(catalogue), papers: printed.filter((text) => !names.has(text)).map((text) => numbered(text).text), shell: run('list', '--texts') }
   const known = new Set()
   for (const [file, list] of Object.entries(texts)) {
     texts[file] = [...new Set(list)].filter((text) => isText(text) && !known.has(text))

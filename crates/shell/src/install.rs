@@ -2,12 +2,11 @@
 
 use std::{fs, path::Path, process::ExitCode};
 
-use clap::{Command, CommandFactory, builder::Resettable};
+use clap::{Command, builder::Resettable};
 
 use super::{
-    args::Cli,
     failure::{Failure, Outcome},
-    files,
+    files, help,
     output::{note, print_raw},
     text::quoted,
 };
@@ -20,7 +19,7 @@ const THIRD_PARTY: &str = include_str!("../THIRD-PARTY.md");
 /// Prints a completion script.
 pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "forage", &mut script);
+    clap_complete::generate(shell, &mut help::command(), "forage", &mut script);
     print_raw(script.trim_ascii_end())?;
     Ok(ExitCode::SUCCESS)
 }
@@ -28,7 +27,7 @@ pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {
 /// Prints the manual page, or writes one page per subcommand into a folder.
 pub(super) fn man(folder: Option<&Path>) -> Outcome {
     // `forage help` has nothing to say about itself.
-    let mut command = Cli::command().disable_help_subcommand(true);
+    let mut command = help::command().disable_help_subcommand(true);
     command.build();
     let Some(folder) = folder else {
         print_raw(page(command)?.trim_ascii_end())?;

@@ -32,8 +32,10 @@ mod failure;
 mod files;
 mod generate;
 mod grade;
+mod help;
 mod install;
 mod interrupt;
+mod language;
 mod list;
 mod load;
 mod names;
@@ -48,7 +50,7 @@ mod usage;
 
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::FromArgMatches;
 use forage::Registry;
 
 use args::{Cli, Command};
@@ -60,7 +62,9 @@ const UNSTOPPABLE: &str = "code: it took longer than 900 ms and could not be sto
 /// process the registry of the first call counts.
 pub fn main_with(known: Registry) -> ExitCode {
     registry::know(known);
-    let command = match Cli::try_parse() {
+    language::choose();
+    let matched = help::command().try_get_matches();
+    let command = match matched.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli.command,
         Err(error) => return usage::report(&error),
     };

@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+use unicode_linebreak::linebreaks;
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+
 pub(super) use forage_study::{
     escape::{escape, escape_lines, is_unsafe},
     table::significant,
@@ -71,34 +74,52 @@ pub(super) fn columns() -> usize {
     set.or_else(terminal).unwrap_or(100).clamp(40, 100)
 }
 
-/// Breaks a text into lines of at most `columns` characters; the lines after the first are indented.
+/// How many columns a text takes: Han takes two for each character.
+pub(super) fn wide(text: &str) -> usize {
+    UnicodeWidthStr::width(text)
+}
+
+/// A text and spaces up to so many columns.
+pub(super) fn padded(text: &str, columns: usize) -> String {
+    format!("{text}{}", " ".repeat(columns.saturating_sub(wide(text))))
+}
+
+/// Breaks a text into lines of at most `columns` columns; the lines after the first are indented.
 pub(super) fn wrap(text: &str, columns: usize, indent: usize) -> String {
-    let mut lines = String::new();
-    let mut used = 0;
-    for word in text.split_whitespace() {
-        let length = word.chars().count();
-        if used > 0 && used + 1 + length > columns {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let han = |c: Option<char>| c.and_then(UnicodeWidthChar::width) == Some(2);
+    // Words are whole: between letters and signs there would be places to break, too.
+    let whole =
+        |at: usize| text[..at].ends_with(' ') || at == text.len() || han(text[..at].chars().last()) || han(text[at..].chars().next());
+    let (mut lines, mut used, mut from) = (String::new(), indent, 0);
+    for (at, _) in linebreaks(&text).filter(|&(at, _)| whole(at)) {
+        let piece = &text[from..at];
+        from = at;
+        if used > indent && used + wide(piece.trim_end()) > columns {
+            lines.truncate(lines.trim_end().len());
             lines.push('\n');
             lines.push_str(&" ".repeat(indent));
             used = indent;
-        } else if used > 0 {
-            lines.push(' ');
-            used += 1;
-        } else {
-            used = indent;
         }
-        lines.push_str(word);
-        used += length;
+        lines.push_str(piece);
+        used += wide(piece);
     }
     lines
 }
 
-/// Cuts a text to at most `columns` characters.
+/// Cuts a text to at most `columns` columns.
 pub(super) fn fit(text: &str, columns: usize) -> String {
-    if text.chars().count() <= columns {
+    if wide(text) <= columns {
         return text.to_owned();
     }
-    text.chars().take(columns.saturating_sub(1)).chain(['…']).collect()
+    let mut cut = String::new();
+    for character in text.chars() {
+        if wide(&cut) + UnicodeWidthChar::width(character).unwrap_or(0) + 1 > columns {
+            break;
+        }
+        cut.push(character);
+    }
+    cut + "…"
 }
 
 #[cfg(test)]
@@ -126,5 +147,7 @@ mod tests {
     fn lines_are_broken_between_words() {
         assert_eq!(wrap("one two three four", 9, 2), "one two\n  three\n  four");
         assert_eq!(fit("abcdef", 4), "abc…");
+        assert_eq!(wrap("粒子保留部分速度，同时移向 A* 群体最优", 12, 0), "粒子保留部分\n速度，同时移\n向 A* 群体最\n优");
+        assert_eq!((fit("惯性权重", 6).as_str(), padded("惯性", 6).as_str(), wide("权 w")), ("惯性…", "惯性  ", 4));
     }
 }

@@ -5,14 +5,14 @@ import type { Translated } from '../../../www/src/locales/texts'
 export const compare: Translated<typeof English.compare> = {
   lead: '所有规划器使用同一场景和相同的评价次数：可并排观看一次运行，也可用多个随机种子进行统计。',
   as: { label: '查看方式', titles: { watch: '观看', statistics: '统计' } },
-  address: (why: string) => `该地址的部分内容无法打开。${why}`,
+  address: (why: string) => `链接的部分内容无法打开。${why}`,
   broken: (message: string) => `一个工作线程出错（${message}）。可重试。`,
   joined: (scene: string) => `所选规划器都不适用于“${scene}”；已添加适用的规划器。`,
   /** Which optimum a planner is measured by. */
   references: {
-    'any-angle': '任意角度路径的最优值',
-    cells: '栅格路径的最优值',
-    matrix: '最短巡回路线',
+    'any-angle': '任意角度路径的精确最优值',
+    cells: '栅格路径的精确最优值',
+    matrix: '巡回路线的精确最优值',
     stored: '场景文件所给最优值',
   },
   plan: {
@@ -20,7 +20,7 @@ export const compare: Translated<typeof English.compare> = {
     scene: '场景',
     here: (title: string) => `${title}（已修改）`,
     maps: '每个随机种子一个随机场景',
-    mapsHelp: '随机种子 7 使用生成器的场景 7。各次运行按其超出所在场景精确最优值的幅度进行比较。',
+    mapsHelp: '随机种子 7 使用生成器的场景 7。各次运行按相对所在场景精确最优值的最优性间隙比较。',
     mapSettings: '场景参数',
     mapsOf: (title: string) => `${title}：每个随机种子一个`,
     ownScenes: '自建场景',
@@ -34,12 +34,12 @@ export const compare: Translated<typeof English.compare> = {
     equal: '评价次数相等',
     own: '各自的迭代次数',
     evaluations: '评价次数',
-    firstHelp: '评价次数以第一个规划器按自身迭代次数所用的为准。已开始的迭代会执行完。',
+    firstHelp: '评价预算等于第一个规划器完成自身迭代次数所用的评价次数。已开始的迭代会执行完。',
     equalHelp: '各规划器达到该评价次数即停止。已开始的迭代会执行完。',
     evaluation: (what: string) => `一次评价对应${what}。`,
     evaluationDiffers: (things: readonly [what: string, planners: readonly string[]][]) =>
       `各规划器的一次评价含义不同：${things.map(([what, planners]) => `${what}（${planners.join('、')}）`).join('；')}。`,
-    watchHelp: '每个节拍显示各规划器用完相应评价次数时的第一次迭代。',
+    watchHelp: '每个节拍对应一个评价次数，各规划器显示首次达到该评价次数的那次迭代。',
     ownHelp: '各规划器按自身设置的迭代次数运行，评价次数不同。',
   },
   fields: {
@@ -69,35 +69,35 @@ export const compare: Translated<typeof English.compare> = {
     title: '预设对比',
     all: {
       swarms: {
-        title: '圆形障碍物中的四种粒子群',
-        help: '在 WCPSO 论文的场景中，对比扰动停滞粒子的 WCPSO 与另外三种粒子群。',
+        title: '圆形障碍物中的 4 种粒子群算法',
+        help: '在 WCPSO 论文的场景中，对比 WCPSO（对停滞粒子施加扰动）与另外 3 种粒子群算法。',
       },
       inertia: {
-        title: '三种惯性权重',
+        title: '3 种惯性权重',
         help: '同一规划器求解 Rastrigin 函数，w = 0.4、0.6 和 0.8：取值小时易陷入局部最优。',
       },
       bbob: {
         title: 'bbob 测试集中的函数',
-        help: '10 维 Rastrigin 函数，经平移、旋转和非线性变换：15 个实例，每个变量 1000 次评价。',
+        help: '10 维 Rastrigin 函数，经平移、旋转和非线性变换：15 个实例，每维 1000 次评价。',
       },
       shifted: {
         title: '中心偏置',
         help: '10 维 Rastrigin 函数，最小值点位于搜索区域的任意位置：偏向中心搜索的规划器会损失多少？',
       },
-      quantum: { title: '量子行为粒子群', help: '改进后的 LTQPSO 能否优于基本的 QPSO？' },
-      ants: { title: '四种蚁群', help: '哪种规则能找到最短路径？多快能找到？' },
+      quantum: { title: '量子行为粒子群', help: 'LTQPSO 能否优于基本 QPSO？' },
+      ants: { title: '4 种蚁群算法', help: '哪种规则能找到最短路径？多快能找到？' },
       maps: {
-        title: '100 张随机地图上的蚁群',
-        help: '每个随机种子一张房间地图：哪种蚁群在每张地图上都能找到路径？最优性间隙有多大？',
+        title: '100 张随机地图上的蚁群算法',
+        help: '每个随机种子一张房间地图：哪种蚁群算法在每张地图上都能找到路径？最优性间隙有多大？',
       },
-      exact: { title: '精确搜索', help: '最优值相同，各自考察多少个栅格？' },
+      exact: { title: '精确搜索', help: '精确最优值相同，各自扩展多少个栅格？' },
       tours: {
         title: '52 个访问点的巡回路线',
         help: '蝙蝠算法、遗传算法、粒子群算法和模拟退火算法，评价次数相等。',
       },
-      trees: { title: '圆形障碍物中的随机树', help: '单树、双树，以及会重布线的树。' },
-      arm: { title: '机械臂的随机树', help: '六个关节绕过一个长方体：目标导向能节省多少？' },
-      drives: { title: '在动态障碍物中行驶', help: '三种重规划方法在动态障碍物中的表现。' },
+      trees: { title: '圆形障碍物中的随机树', help: '一棵树、两棵树，以及能重布线的树。' },
+      arm: { title: '机械臂的随机树', help: '6 个关节绕过一个长方体：目标导向能减少多少计算量？' },
+      drives: { title: '在动态障碍物中行驶', help: '3 种重规划方法在动态障碍物中的表现。' },
     },
   },
 }

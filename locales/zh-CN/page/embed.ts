@@ -3,12 +3,12 @@ import type { Translated } from '../../../www/src/locales/texts'
 
 /** Text of the dialog that gives what shows a run on another page. */
 export const embed: Translated<typeof English.embed> = {
-  title: '嵌入此运行',
+  title: '嵌入本次运行',
   intro: '将代码复制到网页中，即可显示当前状态的运行；读者可前后单步查看。',
   as: '嵌入方式',
   kinds: { iframe: 'iframe', element: '自定义元素' },
   iframeHelp: 'iframe 只需这段代码，内容从本站加载。',
-  elementHelp: '自定义元素只有一个脚本，可复制到自己的网站。同一网页的多个运行共用此脚本。',
+  elementHelp: '自定义元素只需一个脚本，可复制到自己的网站。同一网页中的多次运行共用该脚本。',
   controls: '控件',
   controlNames: { none: '无', play: '播放', full: '全部' },
   theme: '颜色',
@@ -23,6 +23,6 @@ export const embed: Translated<typeof English.embed> = {
   copied: '已复制',
   copyFailed: '浏览器不允许复制；代码已选中。',
   preview: '预览',
-  lessonTooLarge: '课程内容超出链接的长度上限，可改用文件分享。',
-  failed: (message: string) => `无法生成此运行的链接：${message}`,
+  lessonTooLarge: '课程过长，链接容纳不下。可保存为文件后分享。',
+  failed: (message: string) => `无法生成本次运行的链接：${message}`,
 }

@@ -12,10 +12,10 @@ export const events: Translated<typeof English.events> = {
   together: (count: string) => `${count} 个事件`,
   later: '尚未发生',
   said: (title: string, time: string, reason: string) => `${time} s：${title}。${reason}`,
-  tones: { plain: '提示', warning: '警告', decision: '决策', good: '成功', bad: '警报' },
+  tones: { plain: '提示', warning: '警告', decision: '决策', good: '成功', bad: '严重' },
   log: {
     none: '尚无事件。',
-    keys: '焦点在画面或时间轴上时，按 N 跳到下一个事件，按 Shift N 跳到上一个事件。',
+    keys: '焦点在画布或时间轴上时，按 N 跳到下一个事件，按 Shift + N 跳到上一个事件。',
     list: '按时间排列的事件，按 Enter 跳转',
     filter: '筛选事件',
     /** Those that must not happen are always listed. */
@@ -35,7 +35,7 @@ export const events: Translated<typeof English.events> = {
     lost: '未到达目标点',
     touches: '到达目标点，但有碰撞',
     underway: '目前无碰撞',
-    struckUnderway: (count: string) => `目前 ${count}`,
+    struckUnderway: (count: string) => `目前已有 ${count}`,
     figures: '行驶',
   },
 }

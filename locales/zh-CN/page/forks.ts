@@ -9,7 +9,7 @@ export const forks: Translated<typeof English.forks> = {
   compare: '在“对比”中打开两者',
   /** The title of the planner with the code of before. */
   earlier: (planner: string) => `${planner}（修改前）`,
-  noEarlier: '无法为修改前的代码另取名称：名称应紧接 register({ 书写，才能对比两者。',
+  noEarlier: '无法为修改前的代码另取名称：名称紧接在 register({ 之后，才能对比两者。',
   otherScene: '两者的场景类型不同。',
   dismiss: '隐藏修改前的运行',
 }

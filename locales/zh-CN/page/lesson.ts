@@ -4,7 +4,7 @@ import type { Translated } from '../../../www/src/locales/texts'
 /** Text of lessons: what is around their own words. */
 export const lesson: Translated<typeof English.lesson> = {
   lessons: '课程',
-  lead: '每节约十分钟。先作预测，再看程序算出的结果。',
+  lead: '每课约 10 分钟。先作预测，再看程序算出的结果。',
   minutes: (n: number) => `${n} 分钟`,
   steps: (n: number) => `${n} 个步骤`,
   readTo: (step: number, all: number) => `读到步骤 ${step} / ${all}`,
@@ -32,7 +32,7 @@ export const lesson: Translated<typeof English.lesson> = {
   },
   change: '修改参数',
   articles: '论文解读',
-  articlesLead: '各篇论文的方法在正文旁实际运行。所有数值都由运行得出。',
+  articlesLead: '正文旁实际运行各篇论文的方法。除原文数据外，所有数值都由运行得出。',
   claims: '论文的论断与运行结果',
   papers: '在“论文”中查看依据',
   figures: {
@@ -56,7 +56,7 @@ export const lesson: Translated<typeof English.lesson> = {
     copied: '链接已复制，可以提交',
     other: '当前运行的规划器、场景或参数与任务不符。',
     none: '当前运行尚无可行结果。',
-    standing: (value: string, evaluations: string) => `当前运行：${evaluations} 次评价后为 ${value}。`,
+    standing: (value: string, evaluations: string) => `当前运行：${evaluations} 次评价后，结果为 ${value}。`,
     reached: '已达到目标。',
     short: '尚未达到目标。',
     over: '评价次数已超出预算。',
@@ -91,18 +91,18 @@ export const lesson: Translated<typeof English.lesson> = {
       direction === best
         ? `选择了${direction}方向，是概率最大的一步：${chosen}。`
         : `选择了${direction}方向：概率 ${chosen}。概率最大的是${best}方向：${likeliest}。`,
-    node: (chosen: string, nearest: string) => `所选节点到采样点的距离为 ${chosen}，最近的节点为 ${nearest}。`,
+    node: (chosen: string, nearest: string) => `所选节点到采样点的距离为 ${chosen}，最近节点的距离为 ${nearest}。`,
     member: (index: number, value: string, rank: number, best: number, smallest: string) =>
       rank === 1
         ? `选择了个体 ${index}：其值为 ${value}，最小。`
-        : `选择了个体 ${index}：其值为 ${value}，排第 ${rank}。最小的是个体 ${best}：${smallest}。`,
+        : `选择了个体 ${index}：其值为 ${value}，排第 ${rank} 位。最小的是个体 ${best}：${smallest}。`,
     option: (chosen: string, came: string) => (chosen === came ? `选择了“${came}”。` : `选择了“${chosen}”。实际结果：“${came}”。`),
     value: (of: string, value: string) => `${of}：${value}。`,
-    run: (of: string, value: string, iteration: number) => `迭代 ${iteration} 的${of}：${value}。`,
+    run: (of: string, value: string, iteration: number) => `第 ${iteration} 次迭代的${of}：${value}。`,
     seeds: (of: string, value: string, agree: number, seeds: number) =>
       `${of}，${seeds} 个随机种子的中位数：${value}。${seeds} 次运行中有 ${agree} 次落入该选项。`,
     compared: (of: string, seeds: number) => `${of}，各取 ${seeds} 个随机种子的中位数`,
-    wins: (n: number, seeds: number) => `${seeds} 个随机种子中有 ${n} 个最优`,
+    wins: (n: number, seeds: number) => `${seeds} 次运行中有 ${n} 次最优`,
   },
   measures: {
     cost: '代价',

@@ -8,7 +8,7 @@ export const setup: Translated<typeof English.setup> = {
   scene: '场景',
   edited: (title: string) => `${title}（已修改）`,
   kinds: { tour: '巡回路线', grid: '栅格地图', discs: '圆形障碍物', function: '测试函数', arm: '机械臂' },
-  see: '看点：',
+  see: '观察要点：',
   chooseCase: '选择示例并运行',
   own: { title: '自定义', function: '自定义函数……', random: '随机场景……' },
   nothingFound: '没有匹配项。可减少关键词。',

@@ -5,9 +5,9 @@ mod suites;
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
-use clap::{Args, Parser, Subcommand, ValueHint};
+use clap::{Args, Parser, Subcommand, ValueHint, builder::PossibleValuesParser};
 
-use super::{examples, names, names::Offered};
+use super::{examples, language, names, names::Offered};
 
 use self::numbers::{problem, runs, seconds, threads};
 pub(super) use self::suites::{BbobArgs, BenchArgs, Suite, SuiteArgs};
@@ -16,6 +16,9 @@ pub(super) use self::suites::{BbobArgs, BenchArgs, Suite, SuiteArgs};
 #[derive(Parser)]
 #[command(name = "forage", version, propagate_version = true, after_help = examples::QUICK_START)]
 pub(super) struct Cli {
+    /// The language of what is printed. Default: that of LC_ALL, LC_MESSAGES or LANG; else English. Files and JSON stay English.
+    #[arg(long, global = true, value_name = "TAG", value_parser = PossibleValuesParser::new(language::offered()))]
+    pub(super) lang: Option<String>,
     #[command(subcommand)]
     pub(super) command: Command,
 }
@@ -101,8 +104,11 @@ pub(super) struct ListArgs {
     /// Print as JSON all messages that runs, explanations and errors can give, for pages and translators.
     #[arg(long, conflicts_with_all = ["name", "json"])]
     pub(super) messages: bool,
-    /// Print the TypeScript types of all that crosses to JavaScript, for packages.
+    /// Print as JSON all texts of the commands' help, for translators.
     #[arg(long, conflicts_with_all = ["name", "json", "messages"])]
+    pub(super) texts: bool,
+    /// Print the TypeScript types of all that crosses to JavaScript, for packages.
+    #[arg(long, conflicts_with_all = ["name", "json", "messages", "texts"])]
     pub(super) types: bool,
 }
 

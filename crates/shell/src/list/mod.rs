@@ -20,7 +20,7 @@ use super::{
     args::ListArgs,
     convert::describe,
     failure::{Failure, Outcome},
-    names,
+    help, names,
     output::{print, print_json, print_raw},
     text::{columns, cut_list, escape, fit, quoted, wrap},
 };
@@ -31,6 +31,7 @@ pub(super) fn list(args: &ListArgs) -> Outcome {
     match &args.name {
         None if args.types => print(&declarations(Declarations::with::<forage_formats::Imported>))?,
         None if args.messages => print_json(&sentences())?,
+        None if args.texts => print_json(&help::texts())?,
         None if args.json => print_json(&registry().catalogue())?,
         None => print(&overview(columns()))?,
         Some(name) => {
