@@ -131,7 +131,8 @@ impl fmt::Display for Message {
 /// Natively English: what programs write is the same wherever they run. A page's messages cross as they are said.
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(if ENGLISH { &self.english } else { &self.text() })
+        let said = if ENGLISH { Cow::Borrowed(&*self.english) } else { self.text() };
+        serializer.serialize_str(&said)
     }
 }
 
