@@ -31,7 +31,7 @@ const text = ${JSON.stringify(JSON.stringify(catalogue))}
 )
 
 // Words: of each part those whose keys it carries, in its own files or in what it shares. What a language lacks is said in English.
-const locales = new URL('../locales', import.meta.url).pathname
+const locales = process.env.LOCALES ?? new URL('../locales', import.meta.url).pathname
 const english = Object.fromEntries(JSON.parse(run(shell, 'list', '--messages')).map((message) => [message.key, pattern(message)]))
 const carried = (names) => names.map((name) => read(`${name}.wasm`).toString('latin1'))
 const keysOf = (texts) => Object.keys(english).filter((key) => texts.some((text) => text.includes(key)))

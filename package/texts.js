@@ -1,8 +1,10 @@
 /* Where a catalogue has texts that people read, and what leads to each: `planners.pso.parameters.w.help`. */
 
-const SAID = ['title', 'help', 'summary', 'note', 'units']
+const SAID = ['title', 'help', 'summary', 'note', 'units', 'source', 'evaluation']
 // Lists of texts, each of which is a value that a person reads.
 const LISTED = ['words']
+// Lists of lines, which are indented by spaces.
+const LINES = ['pseudocode']
 
 /** What leads to an item of a list; alternatives have one name, and are shown with different values of a parameter. */
 function named(item, list) {
@@ -19,6 +21,7 @@ function mapped(value, say, path = []) {
     const at = [...path, field]
     if (SAID.includes(field)) return [field, say(inner, at.join('.'))]
     if (LISTED.includes(field)) return [field, inner.map((text) => say(text, [...at, text].join('.')))]
+    if (LINES.includes(field)) return [field, inner.map((line, k) => line.replace(/\S.*/, (text) => say(text, [...at, k].join('.'))))]
     return [field, mapped(inner, say, at)]
   })
   return Object.fromEntries(entries)

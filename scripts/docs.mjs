@@ -41,6 +41,20 @@ const FAMILIES = {
   tuning: ['Parameter tuning', 'A planner whose particles are the parameters of another planner.'],
 }
 const family = (name) => FAMILIES[name] ?? [name, '']
+/** For the Chinese README. */
+const CHINESE = {
+  families: {
+    swarm: '群体算法',
+    ants: '蚁群',
+    search: '图搜索',
+    tour: '巡回路线',
+    tree: '随机树',
+    dynamic: '动态路径规划',
+    tuning: '参数优化',
+  },
+  heads: { families: ['类别', '规划器'], claims: ['论文', '论断数', '成立', '不成立', '未定'] },
+  all: '合计',
+}
 
 const escaped = (text) =>
   String(text)
@@ -235,15 +249,17 @@ function reproduction(name) {
 
 const CLAIM_MARKS = ['upheld', 'refuted', 'undecided']
 
-/** A paper's claims with their marks; without a paper, how many of each have which mark. */
+/** A paper's claims with their marks; without a paper, how many of each have which mark, in Chinese for `zh`. */
 function claims(paper) {
   const { papers, claims: all } = JSON.parse(read('REPRODUCTION.claims.json'))
   const count = (of) => [of.length, ...CLAIM_MARKS.map((mark) => of.filter((claim) => claim.mark === mark).length)].map(String)
-  if (paper === undefined)
-    return table(
-      ['paper', 'claims', ...CLAIM_MARKS],
-      [...papers.map(({ tag }) => [`[${tag}]`, ...count(all.filter((claim) => claim.paper === tag))]), ['all', ...count(all)]],
-    )
+  if (paper === undefined || paper === 'zh') {
+    const [head, whole] = paper === 'zh' ? [CHINESE.heads.claims, CHINESE.all] : [['paper', 'claims', ...CLAIM_MARKS], 'all']
+    return table(head, [
+      ...papers.map(({ tag }) => [`[${tag}]`, ...count(all.filter((claim) => claim.paper === tag))]),
+      [whole, ...count(all)],
+    ])
+  }
   const mine = all.filter((claim) => claim.paper.toLowerCase() === paper)
   if (!mine.length) throw new Error(`REPRODUCTION.claims.json has no claims of ${paper}`)
   return table(
@@ -274,12 +290,13 @@ function reproductions() {
 const measured = () => JSON.parse(read('docs/benchmarks.json'))
 
 const BLOCKS = {
-  /** Planners by family, one line a family. */
-  families() {
+  /** Planners by family, one line a family; in Chinese for `zh`. */
+  families(language) {
+    const named = (name) => (language === 'zh' ? (CHINESE.families[name] ?? name) : family(name)[0])
     return table(
-      ['family', 'planners'],
+      language === 'zh' ? CHINESE.heads.families : ['family', 'planners'],
       byFamily(catalogue().planners).map(([name, group]) => [
-        family(name)[0],
+        named(name),
         group.map((p) => `[${code(p.name)}](docs/reference.md#${p.name})`).join(' '),
       ]),
     )
@@ -562,6 +579,17 @@ function types() {
 
 // ---------------------------------------------------------------- Main
 
+const GLOSSARY = 'docs/glossary.md'
+
+/** The glossary with what each term is called in Chinese. */
+function withChinese(text) {
+  const terms = JSON.parse(read('locales/zh-CN/glossary.json'))
+  const out = text.replace(/^\| (.+?) \| (.*?) \|( .*? \| .+? \|)$/gm, (row, term, _, rest) =>
+    terms[term] ? `| ${term} | ${terms[term].term} |${rest}` : row,
+  )
+  return { out, stale: out === text ? [] : ['Chinese terms'] }
+}
+
 function main() {
   const [option, ...more] = process.argv.slice(2)
   if (more.length || (option !== undefined && option !== '--check')) {
@@ -583,9 +611,9 @@ function main() {
     if (file !== 'docs/SUMMARY.md' && !chapters.has(file)) problems.push(`docs/SUMMARY.md: ${file} is missing`)
   }
   const others = ['CONTRIBUTING.md', 'SECURITY.md', 'CHANGELOG.md', 'package/README.md'].filter((path) => existsSync(join(root, path)))
-  for (const path of ['README.md', ...others, ...chapterFiles]) {
+  for (const path of ['README.md', 'README.zh-CN.md', ...others, ...chapterFiles]) {
     const text = read(path)
-    const { out, stale } = filled(path, text)
+    const { out, stale } = path === GLOSSARY ? withChinese(text) : filled(path, text)
     if (check) problems.push(...stale.map((name) => `${path}: the block "${name}" is stale; run node scripts/docs.mjs`))
     else if (stale.length) {
       writeFileSync(join(root, path), out)
@@ -594,7 +622,7 @@ function main() {
     if (!check) continue
     problems.push(...brokenLinks(path, text, chapters), ...missingFiles(path, text), ...new Set(wrongCommands(path, text)))
     const lines = text.split('\n').length - 1
-    if (path === 'README.md' && lines > README_LINES) problems.push(`README.md has ${lines} lines; at most ${README_LINES} are allowed`)
+    if (path.startsWith('README.') && lines > README_LINES) problems.push(`${path} has ${lines} lines; at most ${README_LINES} are allowed`)
   }
   const declared = types()
   if (!existsSync(join(root, TYPES)) || read(TYPES) !== declared) {

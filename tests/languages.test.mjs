@@ -44,6 +44,7 @@ test('what a language lacks is listed', () => {
     messages: { a: 'One', b: 'Two', d: 'Five' },
     texts: { things: ['Ant', 'Bat'] },
     lessons: { first: { title: 'First', text: 'Text' } },
+    glossary: { Swarms: '', bat: 'One bat.', ant: 'One ant.' },
     page: { exported: { 'p.x': "'X'", 'p.y': "'Y'" }, helpers: { 'p.list': '() => 1', 'p.other': '2' } },
   }
   const language = {
@@ -55,12 +56,17 @@ test('what a language lacks is listed', () => {
     },
     texts: { Ant: 'Ameise', Cat: 'Katze' },
     lessons: { first: { title: { english: 'First', says: 'Erste' } } },
+    glossary: {
+      Swarms: { english: '', term: 'Schwärme' },
+      bat: { english: 'A bat.', term: 'Fledermaus', says: 'Eine.' },
+      ant: { english: 'One ant.', term: 'Ameise', says: '' },
+    },
     page: { exported: { 'p.x': "'IX'", 'p.z': "'Z'" }, helpers: { 'p.list': '() => 2' } },
     pageEnglish: { 'p.x': "'X!'", 'p.list': '() => 1' },
   }
   assert.deepEqual(compare(before, language), {
-    missing: ['messages: b', 'texts: Bat', 'lessons/first: text', 'page: p.y'],
-    stale: ['messages: d', 'page: p.x'],
+    missing: ['messages: b', 'texts: Bat', 'lessons/first: text', 'glossary: ant', 'page: p.y'],
+    stale: ['messages: d', 'glossary: bat', 'page: p.x'],
     unused: ['messages: gone', 'texts: Cat', 'page: p.z'],
   })
 })
@@ -126,6 +132,11 @@ test('a skeleton has all there is to translate', { timeout: 120_000 }, () => {
         entries.map(([key, entry]) => [key, part === 'texts' ? key : { ...entry, says: entry.english }]),
       )
     }
+  const glossary = join(LOCALES, 'xx/glossary.json')
+  fill(
+    glossary,
+    Object.entries(JSON.parse(readFileSync(glossary, 'utf8'))).map(([term, { english }]) => [term, { english, term, says: english }]),
+  )
   assert.equal(language('accept', 'xx'), '')
   assert.equal(language('check'), '')
 })

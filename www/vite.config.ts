@@ -6,6 +6,7 @@ import { defineConfig } from 'vite'
 import { contract } from './plugins/contract.ts'
 import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
+import { glossary } from './plugins/glossary.ts'
 import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { installable } from './plugins/installable.ts'
@@ -14,8 +15,9 @@ import { policy } from './plugins/policy.ts'
 import { recordings } from './plugins/recordings.ts'
 import { reproduction } from './plugins/reproduction.ts'
 
-const core = fileURLToPath(new URL('../pkg', import.meta.url))
 const root = fileURLToPath(new URL('..', import.meta.url))
+/** Another build has another package, and other languages. */
+const { PKG: core = `${root}/pkg`, LOCALES: locales = `${root}/locales`, OUT: outDir = 'dist' } = process.env
 
 /** The first view need not know what scripts each later one is made of: they ask for each other. Styles must be there before what they style. */
 const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | 'js' }): string[] =>
@@ -33,8 +35,9 @@ export default defineConfig({
     early(['forage_bg', 'catalogue']),
     formulas(core, `${root}/lessons`),
     palette(`${root}/src/describe/palette.json`),
-    languages(`${root}/locales`, core),
-    lessons(`${root}/lessons`, `${root}/REPRODUCTION.claims.json`),
+    glossary(`${root}/docs/glossary.md`, locales),
+    languages(locales, core),
+    lessons(`${root}/lessons`, locales, `${root}/REPRODUCTION.claims.json`),
     recordings(core),
     reproduction(root),
     contract(`${core}/planner.d.ts`),
@@ -43,6 +46,8 @@ export default defineConfig({
       fileURLToPath(new URL('src/hosts/page/service-worker.ts', import.meta.url)),
       fileURLToPath(new URL('public/icon.svg', import.meta.url)),
       `${root}/src/describe/palette.json`,
+      fileURLToPath(new URL('src/locales/en', import.meta.url)),
+      locales,
     ),
   ],
   resolve: {
@@ -64,6 +69,8 @@ export default defineConfig({
   server: { fs: { allow: ['..'] } },
   // What draws in space is one library, and comes with the first scene that needs it.
   build: {
+    outDir,
+    emptyOutDir: true,
     license: true,
     target: 'es2023',
     assetsInlineLimit: 0,

@@ -6,6 +6,7 @@ import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig, type Plugin } from 'vite'
 import { formulas } from './plugins/formulas.ts'
 import { inlined, unaddressed } from './plugins/inlined.ts'
+import { glossary } from './plugins/glossary.ts'
 import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { palette } from './plugins/palette.ts'
@@ -130,8 +131,9 @@ export default defineConfig(({ mode }) => ({
     unaddressed(core),
     svelte(),
     formulas(core, at('../lessons')),
+    glossary(at('../docs/glossary.md'), at('../locales')),
     languages(at('../locales'), core),
-    lessons(at('../lessons'), at('../REPRODUCTION.claims.json')),
+    lessons(at('../lessons'), at('../locales'), at('../REPRODUCTION.claims.json')),
     palette(at('../src/describe/palette.json')),
     inlined(core, files, threads, { ...shared, plugins: [unaddressed(core)] }),
     mode === 'element' ? withStyles() : withPage(),

@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vitest/config'
+import { glossary } from './plugins/glossary.ts'
 import { languages } from './plugins/languages.ts'
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url))
@@ -9,7 +10,11 @@ const test = { setupFiles: ['unit/browser.ts'], restoreMocks: true }
 
 /** `page`: modules by themselves, with no browser and no core. `core`: what they must agree in with the core, which has to be built. */
 export default defineConfig({
-  plugins: [svelte({ compilerOptions: { hmr: false } }), languages(at('../locales'), at('../pkg'))],
+  plugins: [
+    svelte({ compilerOptions: { hmr: false } }),
+    glossary(at('../docs/glossary.md'), at('../locales')),
+    languages(at('../locales'), at('../pkg')),
+  ],
   resolve: { conditions: ['browser'], alias: [{ find: /^forage-lab\/texts$/, replacement: at('../package/texts.js') }] },
   test: {
     projects: [

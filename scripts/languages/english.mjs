@@ -5,14 +5,15 @@ import { createRequire } from 'node:module'
 import { fileURLToPath } from 'node:url'
 import { pattern } from '../../package/fluent.mjs'
 import { described, numbered } from '../../package/texts.js'
+import { glossaryOf, glossaryTexts } from './glossary.mjs'
 import { textsIn } from './page.mjs'
 
 const { parse } = createRequire(new URL('../../www/package.json', import.meta.url))('csv-parse/sync')
 const root = fileURLToPath(new URL('../..', import.meta.url))
 const json = (path) => JSON.parse(readFileSync(`${root}/${path}`, 'utf8'))
 
-/** Texts that say something in English: not units, symbols and numbers. */
-const isText = (text) => /[a-z]{2}/i.test(text)
+/** Texts that say something in English: neither units nor symbols, numbers and formulas. */
+const isText = (text) => /[a-z]{2}|§/i.test(text.replace(/\$[^$]*\$|@\w+@/g, ''))
 
 /** Names of planners, scenes and functions: commands have them. */
 function namesOf({ planners, scenes, generators }) {
@@ -79,7 +80,11 @@ export function english(shell) {
   const catalogue = run('list', '--json')
   const names = namesOf(catalogue)
   const printed = [...claimed(json('REPRODUCTION.claims.json')), ...figures(readFileSync(`${root}/REPRODUCTION.csv`, 'utf8'))]
-  const texts = { ...catalogued(catalogue), papers: printed.filter((text) => !names.has(text)).map((text) => numbered(text).text), shell: run('list', '--texts') }
+  const texts = {
+    ...catalogued(catalogue),
+    papers: printed.filter((text) => !names.has(text)).map((text) => numbered(text).text),
+    shell: run('list', '--texts'),
+  }
   const known = new Set()
   for (const [file, list] of Object.entries(texts)) {
     texts[file] = [...new Set(list)].filter((text) => isText(text) && !known.has(text))
@@ -89,6 +94,7 @@ export function english(shell) {
     messages: Object.fromEntries(run('list', '--messages').map((message) => [message.key, pattern(message)])),
     texts,
     lessons: Object.fromEntries(lessons.map(({ name, language, texts }) => [name, texts[language]])),
+    glossary: glossaryTexts(glossaryOf(`${root}/docs/glossary.md`)),
     page: textsIn(`${root}/www/src/locales/en`),
   }
 }

@@ -2,6 +2,7 @@
 //   messages/*.json  { "key": { "english": what was translated, "says": how it is said } }: patterns of Fluent, of the core and the shell
 //   texts/*.json     { "English text": "how it is said" }, or { "English text": { "": how it is said, "where.it.is": another way there } }
 //   lessons/*.json   { "key": { "english", "says" } }: a lesson each, by the keys of its texts
+//   glossary.json    { "term": { "english": its meaning, "term": what it is called, "says": its meaning } }; chapters have no meaning
 //   page/*.ts        modules like those of www/src/locales/en; page/english.json has the English that they were translated from
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { textsIn } from './page.mjs'
@@ -36,6 +37,7 @@ export function languageOf(folder) {
     messages: merged(all(`${folder}/messages`)),
     texts: merged(all(`${folder}/texts`)),
     lessons: all(`${folder}/lessons`),
+    glossary: existsSync(`${folder}/glossary.json`) ? json(`${folder}/glossary.json`) : {},
     page: existsSync(page) ? textsIn(page) : { exported: {}, helpers: {} },
     pageEnglish: existsSync(`${page}/english.json`) ? json(`${page}/english.json`) : {},
   }
@@ -69,6 +71,12 @@ export function compare(english, language) {
   for (const text of Object.keys(language.texts)) if (!known.has(text)) add('unused', 'texts', text)
   for (const [name, texts] of Object.entries(english.lessons)) keyed(`lessons/${name}`, texts, language.lessons[name] ?? {})
   for (const name of Object.keys(language.lessons)) if (!english.lessons[name]) add('unused', 'lessons', name)
+  for (const [term, meaning] of Object.entries(english.glossary)) {
+    const entry = language.glossary[term]
+    if (!entry?.term || (meaning !== '' && !entry.says)) add('missing', 'glossary', term)
+    else if (entry.english !== meaning) add('stale', 'glossary', term)
+  }
+  for (const term of Object.keys(language.glossary)) if (!Object.hasOwn(english.glossary, term)) add('unused', 'glossary', term)
   const { exported, helpers } = english.page
   const own = { ...language.page.exported, ...language.page.helpers }
   for (const key of Object.keys(exported)) if (!Object.hasOwn(own, key)) add('missing', 'page', key)
@@ -84,6 +92,7 @@ const FILES = ['ants', 'arm', 'drive', 'error', 'files', 'scene', 'search', 'she
 /** The file of messages that a key is in. */
 export function fileOf(key) {
   const [area] = key.split('-')
+  if (area === 'study') return 'shell'
   return FILES.includes(area) ? area : 'other'
 }
 

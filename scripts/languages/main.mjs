@@ -41,6 +41,9 @@ function update() {
     const path = `${folder}/lessons/${name}.json`
     put(`lessons/${name}`, completed(list, existsSync(path) ? json(path) : {}, keyed))
   }
+  const named = (meaning) => ({ english: meaning, term: '', says: '' })
+  write(`${folder}/glossary.json`, completed(source.glossary, languageOf(folder).glossary, named))
+  if (!existsSync(`${folder}/language.json`)) write(`${folder}/language.json`, { name: tag, sign: tag.slice(0, 2) })
   mkdirSync(`${folder}/page`, { recursive: true })
   const pages = `${root}/www/src/locales/en`
   for (const file of readdirSync(pages)) {
@@ -63,6 +66,9 @@ function accept() {
   }
   for (const file of readdirSync(`${folder}/messages`)) renewed(`messages/${file.slice(0, -5)}`, source.messages)
   for (const [name, texts] of Object.entries(source.lessons)) renewed(`lessons/${name}`, texts)
+  const terms = json(`${folder}/glossary.json`)
+  for (const [term, entry] of Object.entries(terms)) if (wanted(term)) entry.english = source.glossary[term] ?? entry.english
+  write(`${folder}/glossary.json`, terms)
   const own = { ...language.page.exported, ...language.page.helpers }
   const entries = Object.entries({ ...source.page.exported, ...source.page.helpers }).filter(([key]) => Object.hasOwn(own, key))
   const kept = language.pageEnglish

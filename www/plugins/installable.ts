@@ -1,11 +1,17 @@
 import { createHash } from 'node:crypto'
 import { readFile } from 'node:fs/promises'
 import sharp from 'sharp'
-import { build, type Plugin, type Rolldown } from 'vite'
+import { build, type Plugin, type Rolldown, runnerImport } from 'vite'
+import { tagsIn } from './languages.ts'
 
 const ICONS = [192, 512]
 /** The part of the icon that any shape of a launcher leaves. */
 const SAFE = 0.8
+
+/** What a language calls the page. */
+interface Worded {
+  common: Readonly<Record<'title' | 'name' | 'description', string>>
+}
 
 interface Entry {
   url: string
@@ -36,8 +42,10 @@ async function scriptOf(worker: string, entries: readonly Entry[]): Promise<{ sc
  * @param worker where the worker's script is
  * @param icon where the icon is, as SVG
  * @param palette where each colour is by its name
+ * @param english the folder with the page's texts in English
+ * @param locales the folder with a folder for each other language
  */
-export function installable(worker: string, icon: string, palette: string): Plugin {
+export function installable(worker: string, icon: string, palette: string, english: string, locales: string): Plugin {
   const colorOf = async (name: 'brand' | 'surface'): Promise<string> =>
     (JSON.parse(await readFile(palette, 'utf8')) as Record<'brand' | 'surface', [string, string]>)[name][0]
   return {
@@ -81,9 +89,7 @@ export function installable(worker: string, icon: string, palette: string): Plug
           { src: './icon-maskable.png', sizes: '512x512', type: 'image/png', purpose: 'maskable' },
           { src: './icon.svg', sizes: 'any', type: 'image/svg+xml' },
         ]
-        const manifest = {
-          name: 'Forage: a laboratory for path planners',
-          short_name: 'Forage',
+        const shared = {
           id: './',
           start_url: './',
           scope: './',
@@ -92,7 +98,15 @@ export function installable(worker: string, icon: string, palette: string): Plug
           theme_color: await colorOf('brand'),
           icons,
         }
-        this.emitFile({ type: 'asset', fileName: 'manifest.webmanifest', source: JSON.stringify(manifest) })
+        const manifest = async (folder: string, lang: string): Promise<string> => {
+          const { common } = (await runnerImport<Worded>(`${folder}/common.ts`)).module
+          return JSON.stringify({ name: common.title, short_name: common.name, description: common.description, lang, ...shared })
+        }
+        this.emitFile({ type: 'asset', fileName: 'manifest.webmanifest', source: await manifest(english, 'en') })
+        for (const tag of tagsIn(locales)) {
+          const source = await manifest(`${locales}/${tag}/page`, tag)
+          this.emitFile({ type: 'asset', fileName: `manifest.${tag}.webmanifest`, source })
+        }
 
         const entries: Entry[] = Object.values(bundle)
           .map((file) => ({ name: file.fileName, content: file.type === 'chunk' ? file.code : file.source }))

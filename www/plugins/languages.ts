@@ -10,16 +10,20 @@ interface Named {
   sign: string
 }
 
+/** The tags of the languages that have a folder. */
+export const tagsIn = (locales: string): string[] =>
+  readdirSync(locales, { withFileTypes: true })
+    .filter((entry) => entry.isDirectory())
+    .map(({ name }) => name)
+    .sort()
+
 /**
  * Provides `virtual:languages`: which languages there are, and where the words of each come from, loaded when it is spoken.
  * @param locales the folder with a folder for each language besides English
  * @param core the package, with the words of the catalogue
  */
 export function languages(locales: string, core: string): Plugin {
-  const tags = readdirSync(locales, { withFileTypes: true })
-    .filter((entry) => entry.isDirectory())
-    .map(({ name }) => name)
-    .sort()
+  const tags = tagsIn(locales)
   const named = (tag: string): Named => JSON.parse(readFileSync(`${locales}/${tag}/language.json`, 'utf8')) as Named
   const modules = (tag: string): string[] => readdirSync(`${locales}/${tag}/page`).filter((file) => file.endsWith('.ts'))
   return {

@@ -22,14 +22,14 @@ function translated(name: string, locales: string): Lesson['texts'] {
 }
 
 /** The lessons of a folder, in their order, in all languages. */
-export function lessonsIn(folder: string): Lesson[] {
+export function lessonsIn(folder: string, locales = join(folder, '../locales')): Lesson[] {
   const order = JSON.parse(readFileSync(join(folder, FIRST), 'utf8')) as string[]
   const files = readdirSync(folder).filter((file) => file.endsWith('.json') && !file.endsWith('.schema.json') && file !== FIRST)
   const lessons = files.map((file) => {
     try {
       const lesson = readLesson(readFileSync(join(folder, file), 'utf8'))
       if (`${lesson.name}.json` !== file) throw new Error(`its name is ${lesson.name}`)
-      return { ...lesson, texts: { ...lesson.texts, ...translated(lesson.name, join(folder, '../locales')) } }
+      return { ...lesson, texts: { ...lesson.texts, ...translated(lesson.name, locales) } }
     } catch (error) {
       throw new Error(`${join(folder, file)}: ${error instanceof Error ? error.message : String(error)}`)
     }
@@ -59,15 +59,16 @@ const entryOf = ({ name, kind, minutes, paper, language, title, summary, steps, 
 /**
  * Provides `virtual:lessons`: what lessons there are, and each of them when it is asked for.
  * @param folder where their files are
+ * @param locales where other languages have their words
  * @param claims the file with the judged claims of the papers
  */
-export function lessons(folder: string, claims: string): Plugin {
+export function lessons(folder: string, locales: string, claims: string): Plugin {
   return {
     name: 'forage-lessons',
     resolveId: (id) => (id === ID || id.startsWith(`${ID}/`) ? `\0${id}` : undefined),
     load(id) {
       if (!id.startsWith(RESOLVED)) return undefined
-      const all = lessonsIn(folder)
+      const all = lessonsIn(folder, locales)
       for (const file of readdirSync(folder)) this.addWatchFile(join(folder, file))
       if (id !== RESOLVED) {
         const lesson = all.find(({ name }) => id === `${RESOLVED}/${name}`)

@@ -99,7 +99,7 @@ export const papers: Translated<typeof English.papers> = {
     runs: (n: string) => `n = ${n}`,
     common: (parameters: string) => `共同参数：${parameters}`,
   },
-  translated: '（本软件译）',
+  translated: '本软件译',
   pictures: '未给出数据的图',
   pictureClaims: (claims: string) => `论断：${claims}。`,
   open: (planner: string, scene: string) => `${planner}：在实验室的场景“${scene}”中打开`,

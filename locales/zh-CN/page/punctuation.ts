@@ -9,8 +9,11 @@ export const punctuation: Translated<typeof English.punctuation> = {
   sentences: (parts) =>
     parts
       .filter(Boolean)
-      .map((part, at) => (at < parts.length - 1 && !/[。！？…]$/.test(part) ? `${part}。` : part))
+      .map((part, at) => (at < parts.length - 1 && !/[。！？….]$/.test(part) ? `${part}。` : part))
       .join(''),
+  sentence: (text) => (/[。！？….]$/.test(text) ? text : `${text}。`),
+  // Between Han there is no space.
+  beside: (label, value) => `${label}${/[\u3400-\u9fff]$/.test(label) && /^[\u3400-\u9fff]/.test(value) ? '' : ' '}${value}`,
   pair: (label, value) => `${label}：${value}`,
   aside: (what) => `（${what}）`,
 }

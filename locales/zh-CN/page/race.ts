@@ -28,7 +28,7 @@ export const race: Translated<typeof English.race> = {
     free: '无碰撞',
     cuts: '穿过障碍物',
     nothing: '尚未找到结果',
-    refused: '无法在该场景中运行：',
+    refused: (why: string) => `无法在该场景中运行：${why}`,
     crash: (message: string) => `运行中断（${message}）。其他规划器不受影响。`,
     restart: '重新运行',
     starting: '启动中……',

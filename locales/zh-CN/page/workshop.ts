@@ -80,30 +80,28 @@ export const workshop: Translated<typeof English.workshop> = {
     leave: '不运行',
   },
   last: '上次的代码',
+  explanations: [
+    [/must call `register/, '用 register({ … }) 定义规划器，或从一个模板开始。'],
+    [/^ReferenceError: '?register'? is not defined/, '文件开头应写：import { register } from "forage-lab"'],
+    [
+      /^ReferenceError: '?(fetch|document|window|XMLHttpRequest|localStorage|setTimeout|setInterval|process|require)'? is not defined/,
+      '规划器不能使用网络、页面、时钟和存储，只能用传入函数的数据进行计算。',
+    ],
+    [
+      /^ReferenceError: '?(random|normal|evaluate|isFree|distance|math|box|params|scene|finish)'? is not defined/,
+      '该名称由参数传入规划器的函数：应写在花括号中，例如 advance(state, { box, evaluate, random })。',
+    ],
+    [/^ReferenceError/, '这里没有这个名称的变量。拼写是否与声明处一致？是否在这个函数中声明？'],
+    [/^TypeError: cannot read property/i, '点号前面的对象没有值。start 返回的初始状态中有这个字段吗？'],
+    [/^TypeError: not a function/i, '这里调用的不是函数。名称是否正确？是否已传入这个函数？'],
+    [/^TypeError: '?.*'? is read-only/i, '常量不能修改：改用 let 声明。'],
+    [/^SyntaxError: expecting|^SyntaxError: unexpected/i, '此处或前面不远处缺少或多出了符号：是括号、花括号、逗号还是引号？'],
+    [/^SyntaxError/, '这一行不是有效的 JavaScript。也应检查前一行。'],
+    [/^RangeError/, '长度或位数超出允许范围：是不是某个大小算错了？'],
+    [/took longer than/, '此处或后面不远处的循环没有结束，或一步所做的计算太多。循环的结束条件能满足吗？'],
+    [/needs more than 64 MB/, '状态或某个列表随迭代不断增长。规划器真正需要其中的哪些数据？'],
+    [/takes a list of numbers|takes a list of points/, '这里有一项没有值。是状态的字段拼写有误，还是 advance 返回的对象缺少该字段？'],
+    [/\(NaN\)/, '某处用未赋值的量进行了计算。是字段拼写有误，还是 start 中缺少该字段？'],
+    [/nested too deeply/, '函数不断调用自身，没有终止条件。'],
+  ],
 }
-
-/** What usual errors mean, for somebody who begins. The first that fits is said. */
-export const EXPLANATIONS: Translated<typeof English.EXPLANATIONS> = [
-  [/must call `register/, '用 register({ … }) 定义规划器，或从一个模板开始。'],
-  [/^ReferenceError: '?register'? is not defined/, '文件开头应写：import { register } from "forage-lab"'],
-  [
-    /^ReferenceError: '?(fetch|document|window|XMLHttpRequest|localStorage|setTimeout|setInterval|process|require)'? is not defined/,
-    '规划器不能使用网络、页面、时钟和存储，只能用传入函数的数据进行计算。',
-  ],
-  [
-    /^ReferenceError: '?(random|normal|evaluate|isFree|distance|math|box|params|scene|finish)'? is not defined/,
-    '该名称由参数传入规划器的函数：应写在花括号中，例如 advance(state, { box, evaluate, random })。',
-  ],
-  [/^ReferenceError/, '这里没有这个名称的变量。拼写是否与声明处一致？是否在这个函数中声明？'],
-  [/^TypeError: cannot read property/i, '点号前面的对象没有值。start 返回的初始状态中有这个字段吗？'],
-  [/^TypeError: not a function/i, '这里调用的不是函数。名称是否正确？是否已传入这个函数？'],
-  [/^TypeError: '?.*'? is read-only/i, '常量不能修改：改用 let 声明。'],
-  [/^SyntaxError: expecting|^SyntaxError: unexpected/i, '此处或前面不远处缺少或多出了符号：是括号、花括号、逗号还是引号？'],
-  [/^SyntaxError/, '这一行不是有效的 JavaScript。也应检查前一行。'],
-  [/^RangeError/, '长度或位数超出允许范围：是不是某个大小算错了？'],
-  [/took longer than/, '此处或后面不远处的循环没有结束，或一步所做的计算太多。循环的结束条件能满足吗？'],
-  [/needs more than 64 MB/, '状态或某个列表随迭代不断增长。规划器真正需要其中的哪些数据？'],
-  [/takes a list of numbers|takes a list of points/, '这里有一项没有值。是状态的字段拼写有误，还是 advance 返回的对象缺少该字段？'],
-  [/\(NaN\)/, '某处用未赋值的量进行了计算。是字段拼写有误，还是 start 中缺少该字段？'],
-  [/nested too deeply/, '函数不断调用自身，没有终止条件。'],
-]

@@ -10,8 +10,8 @@ const [MOST_STEPS, MOST_OPTIONS, MOST_SEEDS, LONGEST_TEXT] = [60, 8, 200, 8000] 
 const described = <const S extends v.GenericSchema>(schema: S, description: string) => v.pipe(schema, v.description(description))
 const optional = <const S extends v.GenericSchema>(schema: S, description: string) => v.optional(described(schema, description))
 
-const name = v.pipe(v.string(), v.regex(/^[a-z0-9][a-z0-9-]{0,63}$/, 'lower-case letters, digits and hyphens'))
-const key = v.pipe(v.string(), v.regex(/^[a-z0-9][a-z0-9.-]{0,99}$/, 'a key of `texts`: lower-case letters, digits, dots and hyphens'))
+const name = v.pipe(v.string(), v.regex(/^[a-z0-9][a-z0-9-]{0,63}$/, 'name'))
+const key = v.pipe(v.string(), v.regex(/^[a-z0-9][a-z0-9.-]{0,99}$/, 'key'))
 const short = v.pipe(v.string(), v.minLength(1), v.maxLength(100))
 const whole = (least: number, most: number) => v.pipe(v.number(), v.integer(), v.minValue(least), v.maxValue(most))
 const iteration = whole(0, 1_000_000)
@@ -232,7 +232,7 @@ export const Lesson = v.strictObject({
   notes: optional(key, 'Notes for the lecturer.'),
   texts: described(
     v.record(
-      v.pipe(v.string(), v.regex(/^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$/, 'a language tag')),
+      v.pipe(v.string(), v.regex(/^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$/, 'tag')),
       v.record(key, v.pipe(v.string(), v.minLength(1), v.maxLength(LONGEST_TEXT))),
     ),
     'All words, by language and key; Markdown.',

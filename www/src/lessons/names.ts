@@ -1,4 +1,5 @@
 import type { Catalogue, Planner } from 'forage-lab'
+import { refusals as text } from '../locales/en/refusals'
 import type { Lesson, RunPart } from './format'
 import { LessonError } from './read'
 
@@ -8,7 +9,8 @@ type Known = Pick<Catalogue, 'planners' | 'scenes' | 'layers'>
 function one<T extends { name: string }>(all: readonly T[], name: string, field: string): T {
   const found = all.find((candidate) => candidate.name === name)
   if (found) return found
-  throw new LessonError(field, `\`${field}\` is "${name}"; it must be one of ${all.map((candidate) => candidate.name).join(', ')}`)
+  const names = all.map((candidate) => candidate.name)
+  throw new LessonError(field, text.at(field, text.is(`"${name}"`, text.oneOf(names))))
 }
 
 /** Refuses planners, parameters, scenes, layers and readings that there are not. */
@@ -42,5 +44,5 @@ function checkRun(
 
 function checkRole(role: string, field: string, { planners, layers }: Known): void {
   const all = new Set([...planners.flatMap((planner) => planner.layers), ...layers].map((layer) => layer.role as string))
-  if (!all.has(role)) throw new LessonError(field, `\`${field}\` is "${role}"; it must be one of ${[...all].join(', ')}`)
+  if (!all.has(role)) throw new LessonError(field, text.at(field, text.is(`"${role}"`, text.oneOf([...all]))))
 }

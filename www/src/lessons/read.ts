@@ -1,4 +1,5 @@
 import * as v from 'valibot'
+import { refusals as text } from '../locales/en/refusals.ts'
 import { Lesson, type Step } from './format.ts'
 
 /** A lesson's file that cannot be read: where, what is there, and what is allowed. */
@@ -13,15 +14,15 @@ export class LessonError extends Error {
   }
 }
 
-const refuse = (field: string, problem: string): LessonError => new LessonError(field, field === '' ? problem : `\`${field}\` ${problem}`)
+const refuse = (field: string, problem: string): LessonError => new LessonError(field, field === '' ? problem : text.at(field, problem))
 
 /** Reads a lesson's file. Throws {@link LessonError} at the first thing that is wrong. */
-export function readLesson(text: string): Lesson {
+export function readLesson(file: string): Lesson {
   let json: unknown
   try {
-    json = JSON.parse(text)
+    json = JSON.parse(file)
   } catch (error) {
-    throw refuse('', `The lesson is not JSON: ${error instanceof Error ? error.message : String(error)}`)
+    throw refuse('', text.json(error instanceof Error ? error.message : String(error)))
   }
   return checkLesson(json)
 }
@@ -35,7 +36,7 @@ export function checkLesson(json: unknown): Lesson {
   checkSteps(lesson.steps)
   checkNumbers(lesson)
   if (lesson.task?.own && lesson.task.planner !== undefined)
-    throw refuse('task.planner', 'is given, although `task.own` asks for one that is written for it')
+    throw refuse('task.planner', text.ownTask)
   return lesson
 }
 
@@ -45,29 +46,32 @@ const place = (path: readonly { key: unknown }[] = []): string =>
 /** What a schema says of a value, as what it is and what is allowed. */
 function refused(issue: v.BaseIssue<unknown>): LessonError {
   const field = place(issue.path as { key: unknown }[] | undefined)
-  if (issue.received === 'undefined') return refuse(field, 'is missing')
-  if (issue.type === 'strict_object') return refuse(field, 'is no field of this format')
+  if (issue.received === 'undefined') return refuse(field, text.missing)
+  if (issue.type === 'strict_object') return refuse(field, text.noField)
   // Where a pattern says it in words, those are its message.
-  const allowed = issue.kind === 'validation' && issue.type === 'regex' ? issue.message : wordsOf(issue)
-  return refuse(field, `is ${shown(issue.input)}; it must be ${allowed}`)
+  const allowed = issue.kind === 'validation' && issue.type === 'regex' ? patternOf(issue.message) : wordsOf(issue)
+  return refuse(field, text.is(shown(issue.input), allowed))
 }
+
+/** What a pattern of the format asks for. */
+const patternOf = (name: string): string => (name === 'name' || name === 'key' || name === 'tag' ? text[name] : name)
 
 function wordsOf({ type, expected, ...issue }: v.BaseIssue<unknown>): string {
   const requirement = 'requirement' in issue ? String(issue.requirement) : ''
   const words: Readonly<Record<string, string>> = {
-    integer: 'a whole number',
-    min_value: `at least ${requirement}`,
-    max_value: `at most ${requirement}`,
-    min_length: `at least ${requirement} long`,
-    max_length: `at most ${requirement} long`,
-    starts_with: `an address that begins with ${requirement}`,
+    integer: text.integer,
+    min_value: text.atLeast(requirement),
+    max_value: text.atMost(requirement),
+    min_length: text.longAtLeast(requirement),
+    max_length: text.longAtMost(requirement),
+    starts_with: text.begins(requirement),
   }
-  return words[type] ?? String(expected ?? 'something else').replaceAll(' | ', ' or ')
+  return words[type] ?? (typeof expected === 'string' ? text.either(expected.split(' | ')) : text.somethingElse)
 }
 
 function shown(value: unknown): string {
-  const text = JSON.stringify(value) ?? String(value)
-  return text.length > 60 ? `${text.slice(0, 60)}…` : text
+  const json = JSON.stringify(value) ?? String(value)
+  return json.length > 60 ? `${json.slice(0, 60)}…` : json
 }
 
 /** All keys that the file's other parts have, with where. */
@@ -93,15 +97,15 @@ function* keysOf(lesson: Lesson): Generator<[field: string, key: string]> {
 function checkTexts(lesson: Lesson): void {
   const { language, texts } = lesson
   const own = texts[language]
-  if (!own) throw refuse('language', `is ${shown(language)}; \`texts\` has ${Object.keys(texts).join(', ') || 'no language'}`)
+  if (!own) throw refuse('language', text.language(shown(language), Object.keys(texts)))
   const used = new Set<string>()
   for (const [field, key] of keysOf(lesson)) {
-    if (own[key] === undefined) throw refuse(field, `is ${shown(key)}; \`texts.${language}\` has no text with this key`)
+    if (own[key] === undefined) throw refuse(field, text.noText(shown(key), language))
     used.add(key)
   }
   for (const [tag, known] of Object.entries(texts)) {
     const idle = Object.keys(known).find((key) => !used.has(key))
-    if (idle !== undefined) throw refuse(`texts.${tag}.${idle}`, 'is not used by the lesson')
+    if (idle !== undefined) throw refuse(`texts.${tag}.${idle}`, text.unused)
   }
 }
 
@@ -109,11 +113,11 @@ function checkSteps(steps: readonly Step[]): void {
   const names = new Set<string>()
   for (const [at, step] of steps.entries()) {
     const field = `steps[${at}]`
-    if (names.has(step.name)) throw refuse(`${field}.name`, `is ${shown(step.name)}; another step has this name`)
+    if (names.has(step.name)) throw refuse(`${field}.name`, text.twice(shown(step.name)))
     names.add(step.name)
-    if (step.from !== undefined && step.from > step.at) throw refuse(`${field}.from`, `is ${step.from}; it must be at most ${step.at}`)
+    if (step.from !== undefined && step.from > step.at) throw refuse(`${field}.from`, text.is(String(step.from), text.atMost(String(step.at))))
     if (at === 0)
-      for (const part of ['planner', 'scene'] as const) if (!step.run?.[part]) throw refuse(`${field}.run.${part}`, 'is missing')
+      for (const part of ['planner', 'scene'] as const) if (!step.run?.[part]) throw refuse(`${field}.run.${part}`, text.missing)
     checkQuestion(step, `${field}.question`)
   }
 }
@@ -127,28 +131,27 @@ function checkNumbers({ numbers = {}, steps, texts }: Lesson): void {
   for (const [tag, known] of Object.entries(texts))
     for (const [key, words] of Object.entries(known))
       for (const [, name = ''] of words.replace(/\$[^$]*\$/g, '').matchAll(FIGURE)) {
-        if (!(name in numbers)) throw refuse(`texts.${tag}.${key}`, `has {${name}}; \`numbers\` has no such number`)
+        if (!(name in numbers)) throw refuse(`texts.${tag}.${key}`, text.noNumber(name))
         used.add(name)
       }
   for (const [name, number] of Object.entries(numbers)) {
-    if (!used.has(name)) throw refuse(`numbers.${name}`, 'is in no text')
+    if (!used.has(name)) throw refuse(`numbers.${name}`, text.inNoText)
     if ('step' in number && !steps.some((step) => step.name === number.step))
-      throw refuse(`numbers.${name}.step`, `is ${shown(number.step)}; it must be one of ${steps.map((step) => step.name).join(', ')}`)
+      throw refuse(`numbers.${name}.step`, text.is(shown(number.step), text.oneOf(steps.map((step) => step.name))))
   }
 }
 
 function checkQuestion({ at, question }: Step, field: string): void {
   if (question?.kind === 'run' && (question.at === undefined) === (question.seeds === undefined))
-    throw refuse(`${field}.at`, 'or `seeds` is needed, and not both')
+    throw refuse(`${field}.at`, text.atOrSeeds)
   if ((question?.kind === 'run' || question?.kind === 'item') && question.at !== undefined && question.at <= at)
-    throw refuse(`${field}.at`, `is ${question.at}; it must be more than ${at}, the iteration that is shown`)
+    throw refuse(`${field}.at`, text.is(String(question.at), text.moreThan(at)))
   if (question?.kind !== 'run' && question?.kind !== 'item') return
   const named = question.kind === 'item' && question.of === undefined
   for (const [number, option] of question.options.entries()) {
     const events = 'events' in option && option.events !== undefined
     const range = option.from !== undefined || option.to !== undefined
-    const what = named ? 'events' : '`from` or `to`'
     if (named ? !events || range : events || !range)
-      throw refuse(`${field}.options[${number}]`, `must have ${what.replace('events', '`events`')}`)
+      throw refuse(`${field}.options[${number}]`, named ? text.needsEvents : text.needsRange)
   }
 }

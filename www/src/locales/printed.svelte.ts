@@ -16,5 +16,5 @@ export function printed(text: string): string {
   if (words.tag === 'en') return text
   const { text: pattern, numbers } = numbered(text)
   const said = words.texts[pattern]
-  return said === undefined ? text : filled(said, numbers)
+  return said ? filled(said, numbers) : text
 }

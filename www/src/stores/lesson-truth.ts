@@ -3,6 +3,7 @@ import type { Inspection, Item, Point, TrialRecord } from 'forage-lab'
 import { median, optionAt, pointOf } from '../lessons/score'
 import type { Question, QuestionOf, RunPart } from '../lessons/format'
 import { changed, type WholeRun } from '../lessons/runs'
+import { refusals } from '../locales/en/refusals'
 
 /** Whom the core's answers come from. */
 export interface Oracle {
@@ -32,6 +33,8 @@ export type Truth =
   | { kind: 'compare'; option: number; medians: number[]; wins: number[] }
 
 export type TruthOf<K extends Truth['kind']> = Extract<Truth, { kind: K }>
+
+const text = refusals.truth
 
 /** A question that cannot be answered: its lesson asks for what is not there. */
 export class NoTruth extends Error {
@@ -65,13 +68,13 @@ async function explained(
   oracle: Oracle,
 ): Promise<Inspection> {
   const { inspection } = await oracle.at(setup, at, item as Item)
-  if (!inspection) throw new NoTruth(`item: iteration ${at} has no explanation of ${item.role} ${item.index}.`)
+  if (!inspection) throw new NoTruth(text.item(item.role, item.index, at))
   return inspection
 }
 
 function marked(inspection: Inspection, role: string): Point {
   const point = pointOf(inspection, role)
-  if (!point) throw new NoTruth(`item: the explanation of ${inspection.item.role} ${inspection.item.index} has no mark ${role}.`)
+  if (!point) throw new NoTruth(text.mark(inspection.item.role, inspection.item.index, role))
   return point
 }
 
@@ -85,7 +88,7 @@ const ofArrow = (inspection: Inspection): Truth => ({
 function ofCell(inspection: Inspection): Truth {
   const { columns, labels, rows } = inspection.table
   const column = columns.findIndex(({ name }) => name === 'p')
-  if (column < 0) throw new NoTruth(`item: ${inspection.item.role} ${inspection.item.index} has no probabilities.`)
+  if (column < 0) throw new NoTruth(text.probabilities(inspection.item.role, inspection.item.index))
   return {
     kind: 'cell',
     inspection,
@@ -98,7 +101,7 @@ function ofCell(inspection: Inspection): Truth {
 async function ofNode(inspection: Inspection, oracle: Oracle): Promise<Truth> {
   const at = marked(inspection, 'before')
   const parent = await oracle.pick(...at, 1e-6)
-  if (!parent) throw new NoTruth(`item: there is no node at ${at.join(', ')}.`)
+  if (!parent) throw new NoTruth(text.node(at.join(', ')))
   return { kind: 'node', inspection, sample: marked(inspection, 'samples'), parent, at }
 }
 
@@ -115,7 +118,7 @@ async function ofMember({ role, of }: QuestionOf<'member'>, setup: RunSetup, at:
   const values = all.map((inspection) => inspection.values.find(({ name }) => name === of)?.value ?? Number.NaN)
   const index = values.indexOf(Math.min(...values))
   const inspection = all[index]
-  if (!inspection) throw new NoTruth(`of: ${role} at iteration ${at} have no ${of}.`)
+  if (!inspection) throw new NoTruth(text.reading(role, of, at))
   return { kind: 'member', inspection, index, values, places: all.map((each) => marked(each, 'before')) }
 }
 
@@ -123,7 +126,7 @@ function ofItem({ of, options }: QuestionOf<'item'>, inspection: Inspection): Tr
   const { event, values } = inspection
   const value = of === undefined ? null : (values.find(({ name }) => name === of)?.value ?? Number.NaN)
   const option = value === null ? options.findIndex(({ events }) => events?.includes(event)) : optionAt(options, value)
-  if (option < 0) throw new NoTruth(`options: none of them is ${value ?? event}.`)
+  if (option < 0) throw new NoTruth(text.option(String(value ?? event)))
   return { kind: 'item', inspection, option, value }
 }
 
@@ -137,7 +140,7 @@ async function ofRun({ of, at, seeds, options }: QuestionOf<'run'>, setup: RunSe
   }
   const value = median(values)
   const option = optionAt(options, value)
-  if (option < 0) throw new NoTruth(`options: none of them is ${value}.`)
+  if (option < 0) throw new NoTruth(text.option(String(value)))
   return {
     kind: 'run',
     option,
@@ -167,7 +170,7 @@ export function numberOf(result: object, of: string): number {
   const invalid = (of === 'length' || of === 'gap') && (result as { feasible?: boolean }).feasible === false
   if (own === null || invalid) return Number.POSITIVE_INFINITY
   const value = typeof own === 'number' ? own : readings?.[of]
-  if (value === undefined) throw new NoTruth(`of: there is no ${of}.`)
+  if (value === undefined) throw new NoTruth(text.nothing(of))
   return value
 }
 

@@ -1,6 +1,7 @@
 import type { OwnPlanner } from '../catalogue/own'
 import { isOwn } from '../catalogue/own'
-import { EXPLANATIONS, workshop as text } from '../locales/en/workshop'
+import { code } from '../locales/en/code'
+import { workshop as text } from '../locales/en/workshop'
 import { Aborted, pool } from '../engine/pool'
 import type { Answer, Line, Refusal } from '../engine/protocol'
 import type { Conformance } from '../engine/trial.protocol'
@@ -39,9 +40,6 @@ export interface Changed {
   same: number
 }
 
-/** What is said before it where a planner could not start. */
-const BEFORE_IT = /^planner: .* must be one whose code starts: (.+)$/s
-
 /** Where a message says in which line it is. */
 const LINE = / \(line (\d+)\)/
 
@@ -49,8 +47,8 @@ function problemOf({ message, line, column }: Pick<Refusal, 'message' | 'line' |
   const said = message.replace(/^code: /, '')
   const at = line ?? (Number(LINE.exec(said)?.[1]) || null)
   // Of a run that failed it is quoted.
-  const core = /“(.+)”/s.exec(said)?.[1] ?? BEFORE_IT.exec(said)?.[1] ?? said
-  const meaning = EXPLANATIONS.find(([pattern]) => pattern.test(core))?.[1] ?? ''
+  const core = /“(.+)”/s.exec(said)?.[1] ?? code.starts.exec(said)?.[1] ?? said
+  const meaning = text.explanations.find(([pattern]) => pattern.test(core))?.[1] ?? ''
   return { message: core, line: at, column: column ?? null, meaning }
 }
 

@@ -14,10 +14,11 @@ export const TYPES = {
   '.woff2': 'font/woff2',
 }
 
-/** A static host without any manners: a folder's files below a sub-path, 404 for everything else. */
-export function staticHost(folder, base = '/') {
+/** A static host without any manners: a folder's files below a sub-path, others below further ones, 404 for everything else. */
+export function staticHost(first, home = '/', others = {}) {
   return createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname)
+    const [base, folder] = Object.entries(others).find(([below]) => path.startsWith(below)) ?? [home, first]
     const file = join(folder, normalize(path.slice(base.length) || 'index.html'))
     const found = path.startsWith(base) && file.startsWith(folder) && (await stat(file).catch(() => null))?.isFile()
     if (!found) {

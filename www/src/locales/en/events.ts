@@ -14,7 +14,7 @@ export const events = texts('events', {
   tones: { plain: 'note', warning: 'warning', decision: 'decision', good: 'success', bad: 'alarm' },
   log: {
     none: 'Nothing has happened yet.',
-    keys: 'On the stage and the timeline, N and P lead to the next and the previous event.',
+    keys: 'On the stage and the timeline, N and Shift N lead to the next and the previous event.',
     list: 'Events in their order; Enter jumps there',
     filter: 'Which events are listed',
     /** Those that must not happen are always listed. */

@@ -9,7 +9,7 @@ export const grids = texts('grids', {
   painting: 'Drag over free cells to paint, over blocked ones to erase. The right button or two fingers move the view.',
   cell: (column: number, row: number, blocked: boolean) => `Column ${column}, row ${row} from the top: ${blocked ? 'blocked' : 'free'}`,
   drive: 'Let the robot drive along the path',
-  margin: 'Safety margin',
+  margin: 'Inflated obstacles',
   marginHelp: 'Where the robot’s centre may not be: nearer to a blocked cell than the robot’s radius.',
   moving: 'Moving obstacles',
   movingHelp: 'Where they begin, and where they go in a second.',

@@ -100,7 +100,7 @@ export const papers = texts('papers', {
     runs: (n: string) => `n = ${n}`,
     common: (parameters: string) => `all: ${parameters}`,
   },
-  translated: '(our translation)',
+  translated: 'our translation',
   pictures: 'Figures without numbers',
   pictureClaims: (claims: string) => `Claims: ${claims}.`,
   open: (planner: string, scene: string) => `${planner}: open on “${scene}” in the Lab`,

@@ -15,6 +15,10 @@ export const punctuation = texts('punctuation', {
       .filter(Boolean)
       .map((part, at) => (at < parts.length - 1 && !/[.!?…]$/.test(part) ? `${part}.` : part))
       .join(' '),
+  /** With a full stop, if it has none. */
+  sentence: (text: string) => (/[.!?…]$/.test(text) ? text : `${text}.`),
+  /** A number after its name. */
+  beside: (label: string, value: string) => `${label} ${value}`,
   pair: (label: string, value: string) => `${label}: ${value}`,
   aside: (what: string) => ` (${what})`,
 } as const)

@@ -81,39 +81,38 @@ export const workshop = texts('workshop', {
     leave: 'Do not run it',
   },
   last: 'Your last code',
+  /** What usual errors mean, for somebody who begins. The first that fits is said. */
+  explanations: [
+    [/must call `register/, 'Write register({ … }) with what the planner is, or choose a template to begin with.'],
+    [/^ReferenceError: '?register'? is not defined/, "The file has to begin with: import { register } from 'forage-lab'"],
+    [
+      /^ReferenceError: '?(fetch|document|window|XMLHttpRequest|localStorage|setTimeout|setInterval|process|require)'? is not defined/,
+      'A planner has no network, page, clock or storage: it computes from what its functions are given.',
+    ],
+    [
+      /^ReferenceError: '?(random|normal|evaluate|isFree|distance|math|box|params|scene|finish)'? is not defined/,
+      'Functions of a planner are given this: name it between braces, for example advance(state, { box, evaluate, random }).',
+    ],
+    [/^ReferenceError/, 'There is no variable of this name here. Is it spelled as where it was declared, and declared in this function?'],
+    [
+      /^TypeError: cannot read property/i,
+      'What is in front of the dot has no value. Does the state have a field of this name from the beginning, in start?',
+    ],
+    [/^TypeError: not a function/i, 'What is called here is no function. Is the name right, and was it given to this function?'],
+    [/^TypeError: '?.*'? is read-only/i, 'A constant cannot be changed: declare it with let.'],
+    [
+      /^SyntaxError: expecting|^SyntaxError: unexpected/i,
+      'Something is missing or too much, here or just before: a bracket, a brace, a comma or a quotation mark?',
+    ],
+    [/^SyntaxError/, 'This line is not valid JavaScript. Look at the one before it, too.'],
+    [/^RangeError/, 'A length or a number of digits is out of what is possible: was a size computed wrongly?'],
+    [/took longer than/, 'A loop has no end, here or just after, or a step does too much at once. Does what the loop waits for come true?'],
+    [/needs more than 64 MB/, 'The state or a list grows with each iteration. What does the planner need of it?'],
+    [
+      /takes a list of numbers|takes a list of points/,
+      'Something has no value here. Is a field of the state misspelled, or missing in what advance returns?',
+    ],
+    [/\(NaN\)/, 'Somewhere a number was computed from something that has no value. Is a field misspelled, or missing in start?'],
+    [/nested too deeply/, 'A function calls itself and has no end.'],
+  ] as readonly (readonly [RegExp, string])[],
 } as const)
-
-/** What usual errors mean, for somebody who begins. The first that fits is said. */
-export const EXPLANATIONS: readonly (readonly [RegExp, string])[] = [
-  [/must call `register/, 'Write register({ … }) with what the planner is, or choose a template to begin with.'],
-  [/^ReferenceError: '?register'? is not defined/, 'The file has to begin with: import { register } from ‘forage-lab’'],
-  [
-    /^ReferenceError: '?(fetch|document|window|XMLHttpRequest|localStorage|setTimeout|setInterval|process|require)'? is not defined/,
-    'A planner has no network, page, clock or storage: it computes from what its functions are given.',
-  ],
-  [
-    /^ReferenceError: '?(random|normal|evaluate|isFree|distance|math|box|params|scene|finish)'? is not defined/,
-    'Functions of a planner are given this: name it between braces, for example advance(state, { box, evaluate, random }).',
-  ],
-  [/^ReferenceError/, 'There is no variable of this name here. Is it spelled as where it was declared, and declared in this function?'],
-  [
-    /^TypeError: cannot read property/i,
-    'What is in front of the dot has no value. Does the state have a field of this name from the beginning, in start?',
-  ],
-  [/^TypeError: not a function/i, 'What is called here is no function. Is the name right, and was it given to this function?'],
-  [/^TypeError: '?.*'? is read-only/i, 'A constant cannot be changed: declare it with let.'],
-  [
-    /^SyntaxError: expecting|^SyntaxError: unexpected/i,
-    'Something is missing or too much, here or just before: a bracket, a brace, a comma or a quotation mark?',
-  ],
-  [/^SyntaxError/, 'This line is not valid JavaScript. Look at the one before it, too.'],
-  [/^RangeError/, 'A length or a number of digits is out of what is possible: was a size computed wrongly?'],
-  [/took longer than/, 'A loop has no end, here or just after, or a step does too much at once. Does what the loop waits for come true?'],
-  [/needs more than 64 MB/, 'The state or a list grows with each iteration. What does the planner need of it?'],
-  [
-    /takes a list of numbers|takes a list of points/,
-    'Something has no value here. Is a field of the state misspelled, or missing in what advance returns?',
-  ],
-  [/\(NaN\)/, 'Somewhere a number was computed from something that has no value. Is a field misspelled, or missing in start?'],
-  [/nested too deeply/, 'A function calls itself and has no end.'],
-]

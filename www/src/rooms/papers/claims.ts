@@ -1,3 +1,4 @@
+import { punctuation } from '../../locales/en/punctuation'
 import type { ParameterValue } from 'forage-lab'
 import type { Case, Run } from './cases'
 import { PAPERS, type Paper } from './row.ts'
@@ -100,7 +101,7 @@ export function caseOf({ scene, arms, seeds }: Question): Case | null {
 
 /** What all planners of a question have in common, and what each has alone: `name value`. */
 export function told({ arms }: Question, shown: (value: ParameterValue) => string): { own: string[]; common: string } {
-  const line = (pairs: [string, ParameterValue][]): string => pairs.map(([name, value]) => `${name} ${shown(value)}`).join(', ')
+  const line = (pairs: [string, ParameterValue][]): string => punctuation.list(pairs.map(([name, value]) => `${name} ${shown(value)}`))
   const isCommon = (name: string, value: ParameterValue): boolean => arms.every(({ parameters }) => parameters[name] === value)
   const pairs = (arm: Arm, common: boolean): [string, ParameterValue][] =>
     Object.entries(arm.parameters).filter(([name, value]) => isCommon(name, value) === common)

@@ -1,3 +1,4 @@
+import { collator } from '../../../locales/language.svelte'
 import type { Run, Shown } from './shown'
 import type { Column } from './looks.svelte'
 
@@ -18,9 +19,11 @@ export function sortedRuns({ groups }: Shown, column: Column, descending: boolea
   const key = of[column]
   const runs = groups.filter((group) => !filter || group.key === filter).flatMap((group) => group.runs)
   const sign = descending ? -1 : 1
+  const { compare } = collator()
   return runs.sort((a, b) => {
     const [x, y] = [key(a), key(b)]
     if (x === null || y === null) return Number(x === null) - Number(y === null)
+    if (typeof x === 'string' && typeof y === 'string') return sign * compare(x, y)
     return sign * (x < y ? -1 : x > y ? 1 : 0)
   })
 }
