@@ -20,7 +20,7 @@ const root = fileURLToPath(new URL('..', import.meta.url))
 const dist = join(root, 'www/dist')
 const require = createRequire(join(root, 'www/package.json'))
 const { chromium } = require('playwright-core')
-const { values } = parseArgs({ options: { times: { type: 'string', default: '5' } } })
+const { values } = parseArgs({ options: { times: { type: 'string', default: '5' }, language: { type: 'string', default: 'en' } } })
 const times = Number(values.times)
 if (!Number.isSafeInteger(times) || times < 1) {
   console.error(`--times is ${values.times}; it must be a whole number from 1.`)
@@ -74,7 +74,7 @@ const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, ar
 const found = []
 for (let k = 0; k < times; k++) {
   told = []
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 } })
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: values.language })
   const page = await context.newPage()
   const began = performance.now()
   await page.goto(`http://127.0.0.1:${server.address().port}/`, { waitUntil: 'commit' })

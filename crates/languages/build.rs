@@ -13,7 +13,7 @@ fn main() -> io::Result<()> {
                 continue;
             }
             println!("cargo::rerun-if-changed={}", within.display());
-            for file in sorted(&within)?.iter().filter(|file| file.ends_with(".json")) {
+            for file in sorted(&within)?.iter().filter(|file| Path::new(file).extension().is_some_and(|kind| kind == "json")) {
                 let path = within.join(file).display().to_string();
                 writeln!(list, "    ({language:?}, {folder:?}, include_str!({path:?})),").map_err(io::Error::other)?;
             }

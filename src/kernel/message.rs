@@ -4,6 +4,8 @@
 //! arguments only, and its host brings the words (see [`speak_by`]), in any language. A module with the feature `english` has
 //! the English instead, for a host without words.
 
+#[cfg(not(target_arch = "wasm32"))]
+use std::cell::Cell;
 use std::{borrow::Cow, fmt, sync::OnceLock};
 
 use serde::{Serialize, Serializer};
@@ -60,9 +62,32 @@ pub type Speak = fn(&Message) -> Option<String>;
 
 static SPEAK: OnceLock<Speak> = OnceLock::new();
 
+#[cfg(not(target_arch = "wasm32"))]
+thread_local! {
+    static IN_ENGLISH: Cell<bool> = const { Cell::new(false) };
+}
+
 /// Sets how messages are said from now on; without it they are said in English. Only the first call counts.
 pub fn speak_by(speak: Speak) {
     SPEAK.get_or_init(|| speak);
+}
+
+/// What a function says on this thread is English: files are the same in every language.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn in_english<T>(say: impl FnOnce() -> T) -> T {
+    let before = IN_ENGLISH.replace(true);
+    let said = say();
+    IN_ENGLISH.set(before);
+    said
+}
+
+/// How a message is said by the host; `None`: in English.
+fn spoken(message: &Message) -> Option<String> {
+    #[cfg(not(target_arch = "wasm32"))]
+    if IN_ENGLISH.get() {
+        return None;
+    }
+    if message.key.is_empty() { None } else { SPEAK.get().and_then(|speak| speak(message)) }
 }
 
 impl Message {
@@ -113,8 +138,7 @@ impl Message {
 
     /// The text, as the host says it, or else in English, or else the key.
     pub fn text(&self) -> Cow<'_, str> {
-        let said = if self.key.is_empty() { None } else { SPEAK.get().and_then(|speak| speak(self)) };
-        match said {
+        match spoken(self) {
             Some(text) => Cow::Owned(text),
             None if ENGLISH || self.key.is_empty() => Cow::Borrowed(&self.english),
             None => Cow::Borrowed(self.key),
@@ -287,7 +311,9 @@ macro_rules! said {
         match ($(&$value,)+) {
             ($($name,)+) => $crate::kernel::Message::new(
                 $key,
-                ::std::borrow::Cow::Owned(::std::format!($english, $($name = $crate::said!(@shown $name $($one $other)?)),+)),
+                ::std::borrow::Cow::Owned($crate::kernel::message::in_english(|| {
+                    ::std::format!($english, $($name = $crate::said!(@shown $name $($one $other)?)),+)
+                })),
                 ::std::vec![$((stringify!($name), $crate::kernel::message::ToArgument::to_argument($name))),+],
             ),
         }

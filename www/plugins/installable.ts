@@ -24,7 +24,11 @@ async function scriptOf(worker: string, entries: readonly Entry[]): Promise<{ sc
     configFile: false,
     logLevel: 'error',
     publicDir: false,
-    define: { PRECACHED: JSON.stringify(entries), 'process.env.NODE_ENV': '"production"' },
+    define: {
+      PRECACHED: JSON.stringify(entries),
+      VERSION: JSON.stringify(createHash('sha256').update(JSON.stringify(entries)).digest('hex').slice(0, 16)),
+      'process.env.NODE_ENV': '"production"',
+    },
     build: {
       write: false,
       license: true,

@@ -73,6 +73,19 @@ test('once kept, the page opens without a network: any run, any room, an embed',
   await expect(page.getByTestId('app')).toHaveAttribute('data-iteration', '2')
 })
 
+test('once it is installed, the page in one file is saved without a network', async ({ page, site }) => {
+  const devtools = await page.context().newCDPSession(page)
+  await devtools.send('Emulation.setEmulatedMedia', { features: [{ name: 'display-mode', value: 'standalone' }] })
+  await page.goto(`${site.address}${SWARM}`)
+  const kept = () => page.evaluate(async () => Boolean(await caches.match(new URL('single-file.html', location.href).href)))
+  await expect.poll(kept, { timeout: 30_000 }).toBe(true)
+  await site.stop()
+  await page.reload()
+  await page.getByTestId('export').click()
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByTestId('export-file').click()])
+  expect(readFileSync(await saved.path(), 'utf8')).toContain('seed=3')
+})
+
 test('a newer version is offered, and comes only when it is asked for', async ({ page, site }) => {
   await page.goto(`${site.address}${SWARM}`)
   const app = page.getByTestId('app')

@@ -23,7 +23,10 @@ impl Speaker {
         bundle.add_function("NUMBER", rounded).ok()?;
         let mut texts = Texts::of(tag)?;
         let patterns = std::mem::take(&mut texts.messages);
-        let source: String = patterns.iter().map(|(key, pattern)| format!("{key} = {}\n", pattern.replace('\n', "\n    "))).collect();
+        let mut source = String::new();
+        for (key, pattern) in &patterns {
+            source.extend([key, " = ", &pattern.replace('\n', "\n    "), "\n"]);
+        }
         // Of one that is not well-formed the others are there nevertheless; a test says which.
         let resource = FluentResource::try_new(source).unwrap_or_else(|(resource, _)| resource);
         bundle.add_resource_overriding(resource);

@@ -8,7 +8,8 @@ use std::{
 
 use forage::{
     Error, Overrides,
-    kernel::Message,
+    kernel::{Message, error::one_of, message::in_english},
+    message,
     scene::function::{BBOB_FUNCTIONS, BBOB_INSTANCES},
 };
 use forage_study::{
@@ -26,11 +27,12 @@ use super::{
     args::{self, BbobArgs, BenchArgs, SuiteArgs},
     failure::{Failure, Outcome},
     files, interrupt,
+    language::said,
     load::{self, read_pairs},
     output::{note, print},
     progress,
     registry::{register, registry},
-    text::quoted,
+    text::{listed, quoted},
 };
 
 /// What the files of rows are called, before what tells parts apart.
@@ -75,23 +77,24 @@ fn run_suite<S: Suite>(suite: &S, args: &SuiteArgs) -> Outcome {
     let folder = args.out.clone().unwrap_or_else(|| PathBuf::from(S::NAME));
     files::check_folder("--out", &folder)?;
     fs::create_dir_all(&folder).map_err(|error| Failure::write(&folder, error))?;
-    suite.notes().iter().for_each(|text| note(text));
+    suite.notes().iter().for_each(note);
     let rows = run_part::<S>(&attempts, part, &folder, args)?;
     if part.of > 1 {
-        print(&format!("{} of {} runs are in {}", rows.len(), attempts.len(), quoted(&folder.to_string_lossy())))?;
+        let (runs, all, folder) = (rows.len(), attempts.len(), quoted(&folder.to_string_lossy()));
+        print(&message!("shell-runs-in", "{runs} of {all} runs are in {folder}", runs, all, folder).text())?;
     } else {
-        let written = suite.write(&rows, &folder)?;
+        let written = in_english(|| suite.write(&rows, &folder))?;
         let table = suite.table(&rows);
         let file = folder.join(TABLE);
         files::write(&file, table.csv().map_err(|error| Failure::write(&file, error))?)?;
-        print(&table.text())?;
+        print(&table.text(&said))?;
         let shown: Vec<_> = written.iter().map(|path| quoted(&path.to_string_lossy())).collect();
-        note(&format!("wrote {}", shown.join(", ")));
+        note(message!("shell-wrote", "wrote {files}", files = listed(&shown)));
     }
     let faults = suite.faults(&rows);
-    faults.iter().take(SHOWN).for_each(|fault| note(fault));
+    faults.iter().take(SHOWN).for_each(note);
     if faults.len() > SHOWN {
-        note(&format!("and {} more", faults.len() - SHOWN));
+        note(message!("shell-faults-more", "and {more} more", more = faults.len() - SHOWN));
     }
     Ok(ExitCode::from(u8::from(!faults.is_empty())))
 }
@@ -133,7 +136,7 @@ fn run_part<S: Suite>(attempts: &[S::Task], part: Part, folder: &Path, args: &Su
 
 /// Takes damaged lines out of a file of rows, and says so.
 fn repair<S: Suite>(file: &Path) -> Result<(), Failure> {
-    rows::repair::<<S::Task as Job>::Row>(file)?.iter().for_each(|text| note(text));
+    rows::repair::<<S::Task as Job>::Row>(file)?.iter().for_each(note);
     Ok(())
 }
 
@@ -157,10 +160,9 @@ fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
     let mut chosen: Vec<Contender> = Vec::new();
     for name in &args.planners {
         let found = all_planners.iter().find(|contender| contender.planner == *name);
-        let found =
-            found.ok_or_else(|| Error::refused("--planners", name.as_str(), Message::verbatim(format!("one of {}", known.join(", ")))))?;
+        let found = found.ok_or_else(|| Error::refused("--planners", name.as_str(), one_of(&known)))?;
         if chosen.iter().any(|contender| contender.planner == *name) {
-            return Err(Error::refused("--planners", name.as_str(), Message::verbatim("named once")).into());
+            return Err(Error::refused("--planners", name.as_str(), message!("shell-named-once", "named once")).into());
         }
         chosen.push(found.clone());
     }
@@ -170,7 +172,7 @@ fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
     for path in &args.code {
         let name = load::register_code(path)?;
         let found = S::all_planners(registry()).into_iter().find(|contender| contender.planner == name);
-        let refused = || Error::refused("--code", name, Message::verbatim("a planner for the suite's kind of scene"));
+        let refused = || Error::refused("--code", name, message!("shell-planner-of-suite", "a planner for the suite's kind of scene"));
         chosen.push(found.ok_or_else(refused)?);
     }
     // What is set of all comes first: what is set of one planner counts more.
@@ -190,8 +192,8 @@ fn contenders<S: Suite>(args: &SuiteArgs) -> Result<Vec<Contender>, Failure> {
         }
         if matched == 0 {
             let names: Vec<&str> = chosen.iter().map(|contender| contender.planner.as_str()).collect();
-            let allowed = format!("of a planner that takes part: {}", names.join(", "));
-            return Err(Error::refused("--set", pair.as_str(), Message::verbatim(allowed)).into());
+            let allowed = message!("shell-of-planner-there", "of a planner that takes part: {names}", names = names.join(", "));
+            return Err(Error::refused("--set", pair.as_str(), allowed).into());
         }
     }
     Ok(chosen)
@@ -202,7 +204,7 @@ fn dimensions(given: Option<&str>) -> Result<Vec<usize>, Failure> {
     let [least, .., most] = bbob::DIMENSIONS;
     let chosen = numbers("--dimensions", given, least, most, bbob::DIMENSIONS.to_vec())?;
     match chosen.iter().find(|dimension| !bbob::DIMENSIONS.contains(dimension)) {
-        Some(wrong) => Err(Error::refused("--dimensions", *wrong, Message::verbatim("one of 2, 3, 5, 10, 20 and 40")).into()),
+        Some(wrong) => Err(Error::refused("--dimensions", *wrong, message!("shell-dimensions", "one of 2, 3, 5, 10, 20 and 40")).into()),
         None => Ok(chosen),
     }
 }
@@ -211,8 +213,8 @@ fn dimensions(given: Option<&str>) -> Result<Vec<usize>, Failure> {
 fn numbers(option: &str, given: Option<&str>, least: usize, most: usize, otherwise: Vec<usize>) -> Result<Vec<usize>, Failure> {
     let Some(text) = given else { return Ok(otherwise) };
     let refused = || {
-        let allowed = format!("numbers from {least} to {most} with commas between, or ranges like 2-5");
-        Failure::from(Error::refused(option, text, Message::verbatim(allowed)))
+        let allowed = message!("shell-number-list", "numbers from {least} to {most} with commas between, or ranges like 2-5", least, most);
+        Failure::from(Error::refused(option, text, allowed))
     };
     let mut all = Vec::new();
     for piece in text.split(',') {

@@ -9,6 +9,7 @@ use forage::{
     Error, Scene,
     arm::ArmScene,
     kernel::Message,
+    message,
     scene::{DiscsScene, FunctionScene, GridScene, TourScene},
 };
 
@@ -16,15 +17,21 @@ use forage_formats::{self as formats, ENDINGS, Format, NamedFile};
 
 use super::{
     args::ConvertArgs,
-    failure::{Failure, Outcome},
-    files, load,
+    failure::{self, Failure, Outcome},
+    files::{self, Role},
+    kinds, load,
     output::{note, notes},
-    text::{quoted, shorten},
+    text::{listed, shorten, together},
 };
 
 pub(super) fn convert(args: &ConvertArgs) -> Outcome {
     let Some((to, from @ [one, ..])) = args.paths.split_last() else {
-        return Err(Error::refused("OUT", "nothing", Message::verbatim("a file to write, after the files to read")).into());
+        return Err(Error::refused(
+            "OUT",
+            message!("error-nothing", "nothing"),
+            message!("shell-file-to-write", "a file to write, after the files to read"),
+        )
+        .into());
     };
     let format = format("OUT", to)?;
     // A single name may be a shipped scene or a link; only a file has problems to choose from.
@@ -39,7 +46,14 @@ pub(super) fn convert(args: &ConvertArgs) -> Outcome {
 
 /// The format of a file that is to be written.
 pub(super) fn format(field: &str, path: &str) -> Result<Format, Error> {
-    Format::of_file(path).ok_or_else(|| Error::refused(field, path, Message::verbatim(format!("a file that ends in {ENDINGS}"))))
+    let refused = || {
+        let endings: Vec<&str> = ENDINGS.split(", ").flat_map(|ending| ending.split(" or ")).collect();
+        let endings = endings.split_last().map_or(String::new(), |(last, others)| {
+            message!("shell-or", "{first} or {second}", first = listed(others), second = *last).to_string()
+        });
+        Error::refused(field, path, message!("shell-file-that-ends", "a file that ends in {endings}", endings))
+    };
+    Format::of_file(path).ok_or_else(refused)
 }
 
 /// Writes a scene's files in a format, named like `path`, the value of `field`, except for their endings. Files that were read are
@@ -51,47 +65,62 @@ pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read
     let is_asked_for = |file: &NamedFile| formats::same_sort(&file.name, &name);
     // Not every scene has a tour to write next to its stops, or a problem next to its map.
     if !exported.files.iter().any(is_asked_for) {
-        let tour = format!("{field}: the shortest closed tour of this scene is not known, so there is no tour to write");
-        let notes: Vec<_> = exported.notes.iter().map(ToString::to_string).collect();
-        return Err(Failure::Refused(if format == Format::Tsplib { tour } else { format!("{field}: {}", notes.join(" ")) }));
+        let tour =
+            || message!("shell-no-tour-to-write", "the shortest closed tour of this scene is not known, so there is no tour to write");
+        let notes = || exported.notes.iter().cloned().fold(Message::default(), Message::then);
+        return Err(Failure::Refused(failure::at(field, &if format == Format::Tsplib { tour() } else { notes() })));
     }
     let target = |file: &NamedFile| if is_asked_for(file) { path.to_owned() } else { path.with_file_name(&file.name) };
     let targets: Vec<PathBuf> = exported.files.iter().map(target).collect();
-    let mut others: Vec<(&str, &Path)> = read.iter().map(|read| ("is read", Path::new(read))).collect();
+    let mut others: Vec<(Role, &Path)> = read.iter().map(|read| (Role::Read, Path::new(read))).collect();
     for target in &targets {
         files::check_apart(field, target, &others)?;
         files::check_target(target)?;
-        others.push(("is written, too", target));
+        others.push((Role::Written, target));
     }
     for (file, target) in exported.files.iter().zip(&targets) {
         files::write(target, &file.bytes)?;
     }
     notes(&exported.notes);
-    let written: Vec<_> = targets.iter().map(|target| quoted(&target.to_string_lossy())).collect();
-    note(&format!("wrote {} ({}) to {}", shorten(scene.name(), 70), describe(scene), written.join(" and ")));
+    let written: Vec<_> = targets.iter().map(|target| target.to_string_lossy().into_owned()).collect();
+    let (name, files) = (shorten(scene.name(), 70), together(&written));
+    note(message!("shell-wrote-scene", "wrote {name} ({described}) to {files}", name, described = describe(scene), files));
     Ok(ExitCode::SUCCESS)
 }
 
 /// The kind and the size of a scene.
 pub(super) fn describe(scene: &Scene) -> String {
+    let (kind, size) = (kinds::name(scene.kind().name()), size(scene));
+    if size.is_empty() { kind } else { message!("shell-kind-and-size", "{kind}, {size}", kind, size).to_string() }
+}
+
+/// The size of a scene; empty for kinds that are not known here.
+pub(super) fn size(scene: &Scene) -> String {
     let sizes = if let Ok(function) = scene.get::<FunctionScene>() {
-        vec![count(function.dimension(), "variable")]
+        let n = function.dimension();
+        vec![message!("shell-variables", "{n} {variables}", n, variables = n => "variable" | "variables")]
     } else if let Ok(discs) = scene.get::<DiscsScene>() {
-        vec![count(discs.discs.len(), "obstacle")]
+        let n = discs.discs.len();
+        vec![message!("shell-obstacles", "{n} {obstacles}", n, obstacles = n => "obstacle" | "obstacles")]
     } else if let Ok(grid) = scene.get::<GridScene>() {
-        let more = [(grid.stops.len(), "stop"), (grid.moving.len(), "moving obstacle")];
-        let more = more.into_iter().filter(|(number, _)| *number > 0).map(|(number, what)| count(number, what));
-        [format!("{} × {} cells", grid.columns, grid.rows())].into_iter().chain(more).collect()
+        let cells = message!("shell-cells", "{columns} × {rows} cells", columns = grid.columns, rows = grid.rows());
+        let moving = (!grid.moving.is_empty()).then(|| moving_obstacles(grid.moving.len()));
+        [Some(cells), (!grid.stops.is_empty()).then(|| stops(grid.stops.len())), moving].into_iter().flatten().collect()
     } else if let Ok(tour) = scene.get::<TourScene>() {
-        vec![count(tour.len(), "stop")]
+        vec![stops(tour.len())]
     } else if let Ok(arm) = scene.get::<ArmScene>() {
-        vec![count(arm.cuboids.len(), "cuboid")]
+        let n = arm.cuboids.len();
+        vec![message!("shell-cuboids", "{n} {cuboids}", n, cuboids = n => "cuboid" | "cuboids")]
     } else {
         Vec::new()
     };
-    [scene.kind().name().to_owned()].into_iter().chain(sizes).collect::<Vec<_>>().join(", ")
+    listed(&sizes.iter().map(ToString::to_string).collect::<Vec<_>>())
 }
 
-fn count(number: usize, what: &str) -> String {
-    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
+fn stops(n: usize) -> Message {
+    message!("shell-stops", "{n} {stops}", n, stops = n => "stop" | "stops")
+}
+
+fn moving_obstacles(n: usize) -> Message {
+    message!("shell-moving-obstacles", "{n} {obstacles}", n, obstacles = n => "moving obstacle" | "moving obstacles")
 }

@@ -6,13 +6,15 @@ use forage::{
     Scene,
     arm::ArmScene,
     exact::{AmongCuboids, MAX_EXACT_CUBOIDS, MAX_EXACT_STOPS, shortest_among_cuboids},
-    kernel::{ReferenceOptimum, TourEnds},
+    kernel::{Message, ReferenceOptimum, TourEnds},
+    message,
     scene::{ARM, FUNCTION, GRID, MAX_EXACT_CELLS, TourScene},
 };
 use serde::Serialize;
 
 use super::{
-    failure::Outcome,
+    failure::{self, Outcome},
+    language::say,
     load,
     output::{print, print_json},
     text::{escape, measured, number},
@@ -97,69 +99,96 @@ pub(super) fn unit(scene: &Scene) -> &str {
 }
 
 fn summary(scene: &Scene, answer: &Answer<'_>) -> String {
-    let unit = escape(unit(scene));
+    let unit = escape(say(unit(scene), &format!("scenes.{}.units", scene.name())));
     let length = |length: f64| measured(length, &unit);
-    let mut lines = Vec::new();
     let stored = scene.exact().is_some_and(|exact| exact.stored);
-    match (answer.length, &answer.path, &answer.cells) {
-        (Some(found), _, _) if stored => lines.push(format!("shortest path {}, stated in the scene file", length(found))),
-        (Some(found), Points::Space(path), _) => {
-            lines.push(format!("shortest path of the tool tip {}, {} points", length(found), path.len()));
-        }
-        (Some(found), Points::Plane([]), _) => {
-            let stated = scene.minimum().is_some_and(|minimum| minimum.stated);
-            lines.push(format!("minimum {}{}", number(found), if stated { ", stated in the scene file" } else { "" }));
-        }
-        (Some(found), Points::Plane(path), cells) => {
-            lines.push(format!("shortest path {}, {} points", length(found), path.len()));
-            lines.extend(cells.as_ref().map(|cells| format!("shortest path from cell to cell {}", length(cells.length))));
-        }
-        (None, _, Some(cells)) => lines.push(format!(
-            "shortest path from cell to cell {}; the any-angle path is not computed for more than {MAX_EXACT_CELLS} cells",
-            length(cells.length)
-        )),
-        (None, _, None) if answer.tours.is_empty() || scene.ends().is_some() => lines.push(no_path(scene)),
-        (None, _, None) => {}
-    }
+    let mut lines = paths(scene, answer, stored, &length);
     lines.extend(answer.tours.iter().map(|tour| tour_line(tour, &length(tour.length))));
     let name = escape(scene.name());
-    lines.iter().map(|line| format!("{name}: {line}")).collect::<Vec<_>>().join("\n")
+    lines.into_iter().map(|line| failure::at(&name, &line).to_string()).collect::<Vec<_>>().join("\n")
 }
 
-fn tour_line(tour: &Tour<'_>, length: &str) -> String {
-    let by = match tour.by {
-        ReferenceOptimum::AnyAngle => "with any-angle paths",
-        ReferenceOptimum::Cells => "from cell to cell",
-        ReferenceOptimum::Matrix => "by the scene’s distances",
-        ReferenceOptimum::Stored | ReferenceOptimum::Refuted => "stated in the scene file",
+/// What is said of the shortest path, or of the minimum.
+fn paths(scene: &Scene, answer: &Answer<'_>, stored: bool, length: &dyn Fn(f64) -> String) -> Vec<Message> {
+    let by_cells = |cells: &CellPath<'_>| {
+        message!("shell-shortest-cell-path", "shortest path from cell to cell {length}", length = length(cells.length))
     };
-    let stops: Vec<_> = tour.order.iter().map(usize::to_string).collect();
-    format!("shortest tour {length} {by}, stops {}", stops.join(" "))
+    let shortest =
+        |found, points| message!("shell-shortest-path", "shortest path {length}, {points} points", length = length(found), points);
+    match (answer.length, &answer.path, &answer.cells) {
+        (Some(found), _, _) if stored => {
+            vec![message!("shell-shortest-path-stated", "shortest path {length}, stated in the scene file", length = length(found))]
+        }
+        (Some(found), Points::Space(path), _) => {
+            let (length, points) = (length(found), path.len());
+            vec![message!("shell-shortest-tip-path", "shortest path of the tool tip {length}, {points} points", length, points)]
+        }
+        (Some(found), Points::Plane([]), _) => {
+            let value = number(found);
+            vec![if scene.minimum().is_some_and(|minimum| minimum.stated) {
+                message!("shell-minimum-stated", "minimum {value}, stated in the scene file", value)
+            } else {
+                message!("shell-minimum", "minimum {value}", value)
+            }]
+        }
+        (Some(found), Points::Plane(path), cells) => {
+            [shortest(found, path.len())].into_iter().chain(cells.as_ref().map(by_cells)).collect()
+        }
+        (None, _, Some(cells)) => vec![message!(
+            "shell-only-cell-path",
+            "shortest path from cell to cell {length}; the any-angle path is not computed for more than {most} cells",
+            length = length(cells.length),
+            most = MAX_EXACT_CELLS
+        )],
+        (None, _, None) if answer.tours.is_empty() || scene.ends().is_some() => vec![no_path(scene)],
+        (None, _, None) => Vec::new(),
+    }
+}
+
+fn tour_line(tour: &Tour<'_>, length: &str) -> Message {
+    let stops = tour.order.iter().map(usize::to_string).collect::<Vec<_>>().join(" ");
+    match tour.by {
+        ReferenceOptimum::AnyAngle => {
+            message!("shell-tour-any-angle", "shortest tour {length} with any-angle paths, stops {stops}", length, stops)
+        }
+        ReferenceOptimum::Cells => message!("shell-tour-cells", "shortest tour {length} from cell to cell, stops {stops}", length, stops),
+        ReferenceOptimum::Matrix => {
+            message!("shell-tour-matrix", "shortest tour {length} by the scene’s distances, stops {stops}", length, stops)
+        }
+        ReferenceOptimum::Stored | ReferenceOptimum::Refuted => {
+            message!("shell-tour-stated", "shortest tour {length} stated in the scene file, stops {stops}", length, stops)
+        }
+    }
 }
 
 /// Why there is no exact path.
-fn no_path(scene: &Scene) -> String {
-    const NONE: &str = "there is no path from start to goal";
+fn no_path(scene: &Scene) -> Message {
+    let none = || message!("shell-no-path", "there is no path from start to goal");
     match scene.get::<ArmScene>() {
         Ok(arm) => match shortest_among_cuboids(&arm.workspace, arm.start, arm.goal, &arm.cuboids) {
             AmongCuboids::NotComputed if arm.cuboids.len() > MAX_EXACT_CUBOIDS => {
-                format!("not computed for more than {MAX_EXACT_CUBOIDS} cuboids")
+                message!("shell-too-many-cuboids", "not computed for more than {most} cuboids", most = MAX_EXACT_CUBOIDS)
             }
-            AmongCuboids::NotComputed => "not computed: these cuboids would take too long".to_owned(),
-            _ => NONE.to_owned(),
+            AmongCuboids::NotComputed => message!("shell-cuboids-too-slow", "not computed: these cuboids would take too long"),
+            _ => none(),
         },
-        _ if scene.ends().is_some() => NONE.to_owned(),
-        _ if scene.kind() == FUNCTION => "the minimum of this function is not known".to_owned(),
+        _ if scene.ends().is_some() => none(),
+        _ if scene.kind() == FUNCTION => message!("shell-minimum-unknown", "the minimum of this function is not known"),
         _ => no_tour(scene.stops().len()),
     }
 }
 
 /// Why there is no exact tour.
-fn no_tour(stops: usize) -> String {
+fn no_tour(stops: usize) -> Message {
     match stops {
-        0 => "there are no stops, and start and goal are missing".to_owned(),
-        1 => "a tour needs at least two stops".to_owned(),
-        2..=MAX_EXACT_STOPS => "there is no tour: some stop cannot be reached from the others".to_owned(),
-        _ => format!("not computed for more than {MAX_EXACT_STOPS} stops; this scene has {stops}"),
+        0 => message!("shell-no-stops", "there are no stops, and start and goal are missing"),
+        1 => message!("shell-one-stop", "a tour needs at least two stops"),
+        2..=MAX_EXACT_STOPS => message!("shell-no-tour", "there is no tour: some stop cannot be reached from the others"),
+        _ => message!(
+            "shell-too-many-stops",
+            "not computed for more than {most} stops; this scene has {stops}",
+            most = MAX_EXACT_STOPS,
+            stops
+        ),
     }
 }

@@ -1,11 +1,15 @@
 //! What follows the options in each command's help. A test runs every example.
 
+use forage::{describe::Generator, message};
 use forage_study::{
     registry::{REPRODUCTIONS, STUDIES},
     study::Study,
 };
 
-use super::registry::registry;
+use super::{
+    language::{say, say_numbered},
+    registry::registry,
+};
 
 pub(super) const QUICK_START: &str = "Quick start:
   forage list                                   # planners, generators and scenes
@@ -147,7 +151,7 @@ name = "wpso"
 pub(super) fn generate() -> String {
     let width = registry().generators().iter().map(|generator| generator.name.len()).max().unwrap_or(0);
     let lines: Vec<_> =
-        registry().generators().iter().map(|generator| format!("  {:width$}  {}", generator.name, generator.title)).collect();
+        registry().generators().iter().map(|generator| format!("  {:width$}  {}", generator.name, title(generator))).collect();
     format!(
         "Generators (`forage list NAME` shows the parameters):\n{}\n
 Examples:
@@ -160,6 +164,10 @@ Examples:
     )
 }
 
+fn title(generator: &Generator) -> &'static str {
+    say(generator.title, &format!("generators.{}.title", generator.name))
+}
+
 /// Reproductions and examples.
 pub(super) fn reproduce() -> String {
     format!(
@@ -169,7 +177,10 @@ Examples:
   forage reproduce wcpso-paths --runs 2 --out quick --json
 
 A full run takes minutes to hours. `forage reproduce --check DIR` repeats all experiments and compares them with DIR.",
-        studies(REPRODUCTIONS, |study| format!("{}, {}", study.title, study.source))
+        studies(REPRODUCTIONS, |study| {
+            let (title, source) = (say(study.title, ""), say_numbered(study.source));
+            message!("shell-title-and-source", "{title}, {source}", title, source).to_string()
+        })
     )
 }
 
@@ -182,7 +193,7 @@ Examples:
   forage study forensics --out quick --json
 
 `robustness` takes half an hour; with `--runs 2` it compares on two maps of each kind.",
-        studies(STUDIES, |study| study.title.to_owned())
+        studies(STUDIES, |study| say(study.title, "").to_owned())
     )
 }
 

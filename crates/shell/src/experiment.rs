@@ -7,7 +7,11 @@ use std::{
     sync::Arc,
 };
 
-use forage::{Error, Link, Scene, kernel::Message};
+use forage::{
+    Error, Link, Scene,
+    kernel::{Message, message::in_english},
+    message,
+};
 use forage_study::{
     runner::Control,
     sweep::{self, Curves, Kept, Part, Sweep, SweepStatistics, pictures, read},
@@ -17,9 +21,11 @@ use serde_json::json;
 use super::{
     args::ExperimentArgs,
     examples::EXPERIMENT_FILE,
-    failure::{Failure, Outcome},
-    files::{self, LARGEST_EXPERIMENT},
-    interrupt, load, names,
+    failure::{self, Failure, Outcome},
+    files::{self, LARGEST_EXPERIMENT, Role},
+    interrupt,
+    language::said,
+    load, names,
     output::{notes, print, print_json, print_raw},
     progress,
     registry::registry,
@@ -56,10 +62,10 @@ fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
     if part == Part::WHOLE {
         let summary = SweepStatistics::of(kept);
         if let Some(path) = &args.report {
-            let shown = pictures::draw(kept, &summary, path)?;
+            let shown = in_english(|| pictures::draw(kept, &summary, path))?;
             files::write(path, summary.markdown() + &shown)?;
         }
-        return if args.json { print_json(&summary) } else { print(&summary.text()) };
+        return if args.json { print_json(&summary) } else { print(&summary.text(&said)) };
     }
     let (runs, _) = kept.counts();
     let rows = kept.path();
@@ -67,7 +73,8 @@ fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
         return print_json(&json!({ "name": sweep.name, "rows": rows.to_string_lossy(), "runs": runs, "shard": part.to_string() }));
     }
     let [name, path] = [escape(&sweep.name).into_owned(), quoted(&rows.to_string_lossy())];
-    print(&format!("{name}, part {part}: {runs} of {} runs in {path}", sweep.len()))
+    let (part, all) = (part.to_string(), sweep.len());
+    print(&message!("shell-part-of-experiment", "{name}, part {part}: {runs} of {all} runs in {path}", name, part, runs, all, path).text())
 }
 
 /// Carries out the runs whose rows are missing.
@@ -84,25 +91,25 @@ fn run_missing(sweep: &Sweep, kept: &mut Kept, curves: Option<&mut Curves>, args
 /// made if it is missing, as that of the rows is.
 fn check_outputs(args: &ExperimentArgs, part: Part, rows: &Path, sources: &[PathBuf]) -> Result<(), Failure> {
     let field = if args.out.is_some() { "--out" } else { "out" };
-    let mut others: Vec<(&str, &Path)> = sources.iter().map(|path| ("is read", path.as_path())).collect();
+    let mut others: Vec<(Role, &Path)> = sources.iter().map(|path| (Role::Read, path.as_path())).collect();
     files::check_apart(field, rows, &others)?;
     files::make_folder_of(field, rows)?;
     let damaged = forage_study::files::damaged(rows);
-    others.extend([("holds the rows", rows), ("would keep damaged rows", &damaged)]);
-    others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
+    others.extend([(Role::Rows, rows), (Role::Damaged, &damaged)]);
+    others.extend(args.merge.iter().map(|path| (Role::Read, path.as_path())));
     let kept = args.curves.as_ref().map(|curves| sweep::curves::kept_at(curves, part));
     if let (Some(curves), Some(kept)) = (&args.curves, &kept) {
         files::check_apart("--curves", curves, &others)?;
         files::check_apart("--curves", kept, &others)?;
         files::make_folder_of("--curves", curves)?;
         files::check_target(curves)?;
-        others.extend([("has the curves", curves.as_path()), ("keeps the curves", kept)]);
+        others.extend([(Role::Curves, curves.as_path()), (Role::KeptCurves, kept)]);
     }
     let Some(report) = &args.report else { return Ok(()) };
     files::check_apart("--report", report, &others)?;
     files::make_folder_of("--report", report)?;
     files::check_target(report)?;
-    others.push(("is the report", report));
+    others.push((Role::Report, report));
     for picture in pictures::paths_of(report).into_iter().filter(|_| pictures::has_pictures(report)) {
         files::check_apart("--report", &picture, &others)?;
         files::check_target(&picture)?;
@@ -114,7 +121,7 @@ fn check_outputs(args: &ExperimentArgs, part: Part, rows: &Path, sources: &[Path
 fn read_file(path: &Path) -> Result<(read::Experiment, Vec<PathBuf>), Failure> {
     let name = path.to_string_lossy();
     let text = String::from_utf8(files::read(path, LARGEST_EXPERIMENT)?)
-        .map_err(|problem| Failure::Refused(format!("{}: {problem}", quoted(&name))))?;
+        .map_err(|problem| Failure::Refused(failure::at(&quoted(&name), &Message::verbatim(problem.to_string()))))?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let folder = path.parent().unwrap_or(Path::new(""));
     let sources = RefCell::new(vec![path.to_owned()]);
@@ -139,7 +146,7 @@ fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage
     };
     found.map_err(|failure| match failure {
         Failure::File(path, error) => forage_study::failure::Failure::File(PathBuf::from(path), error),
-        Failure::Refused(problem) | Failure::Interrupted(problem) => Error::malformed("scene", Message::verbatim(problem)).into(),
+        Failure::Refused(problem) | Failure::Interrupted(problem) => Error::malformed("scene", problem).into(),
     })
 }
 

@@ -9,27 +9,91 @@ use std::{
 use forage::{
     Error,
     kernel::{Message, limits},
+    message,
 };
 use forage_study::files::{is_same, place};
 
-use super::{failure::Failure, text::quoted};
+use super::{
+    failure::{Failure, cannot_be_written, is_folder, no_folder},
+    text::quoted,
+};
 
 /// The largest scene, map, image, TSPLIB or CSV file.
-pub(super) const LARGEST_SCENE: Limit = Limit { bytes: limits::FILE_BYTES as u64, what: "a scene file" };
+pub(super) const LARGEST_SCENE: Limit = Limit { bytes: limits::FILE_BYTES as u64, of: Input::Scene };
 /// The largest description of an experiment.
-pub(super) const LARGEST_EXPERIMENT: Limit = Limit { bytes: 4 << 20, what: "an experiment’s file" };
+pub(super) const LARGEST_EXPERIMENT: Limit = Limit { bytes: 4 << 20, of: Input::Experiment };
 /// The largest list of links: a thousand with scenes of their own.
-pub(super) const LARGEST_LIST: Limit = Limit { bytes: 256 << 20, what: "a list of links" };
+pub(super) const LARGEST_LIST: Limit = Limit { bytes: 256 << 20, of: Input::List };
 /// The longest code of a planner.
-pub(super) const LONGEST_CODE: Limit = Limit { bytes: 1 << 20, what: "a planner’s code" };
+pub(super) const LONGEST_CODE: Limit = Limit { bytes: 1 << 20, of: Input::Code };
 /// The longest link.
-pub(super) const LONGEST_LINK: Limit = Limit { bytes: limits::LINK_BYTES as u64, what: "a link" };
+pub(super) const LONGEST_LINK: Limit = Limit { bytes: limits::LINK_BYTES as u64, of: Input::Link };
 
 /// How large an input may be.
 #[derive(Clone, Copy)]
 pub(super) struct Limit {
     bytes: u64,
-    what: &'static str,
+    of: Input,
+}
+
+/// What is read.
+#[derive(Clone, Copy)]
+enum Input {
+    Scene,
+    Experiment,
+    List,
+    Code,
+    Link,
+}
+
+impl Input {
+    fn has_at_most(self, most: f64) -> Message {
+        match self {
+            Self::Scene => message!("shell-scene-file-bytes", "a scene file may have at most {most} MiB", most),
+            Self::Experiment => message!("shell-experiment-bytes", "an experiment’s file may have at most {most} MiB", most),
+            Self::List => message!("shell-list-bytes", "a list of links may have at most {most} MiB", most),
+            Self::Code => message!("shell-code-bytes", "a planner’s code may have at most {most} MiB", most),
+            Self::Link => message!("shell-link-bytes", "a link may have at most {most} MiB", most),
+        }
+    }
+}
+
+/// What another file is for.
+#[derive(Clone, Copy)]
+pub(super) enum Role {
+    /// It is read.
+    Read,
+    /// It is written, too.
+    Written,
+    /// An option writes it.
+    Option(&'static str),
+    /// It has the rows of an experiment.
+    Rows,
+    /// It would keep damaged rows.
+    Damaged,
+    /// It has curves.
+    Curves,
+    /// It keeps what curves are made of.
+    KeptCurves,
+    /// It is the report.
+    Report,
+}
+
+impl Role {
+    /// What is allowed instead of the file with this role.
+    fn another(self, file: &Path) -> Message {
+        let file = file.display().to_string();
+        match self {
+            Self::Read => message!("shell-not-read", "another file than {file}, which is read", file),
+            Self::Written => message!("shell-not-written-too", "another file than {file}, which is written, too", file),
+            Self::Option(option) => message!("shell-not-of-option", "another file than {file}, which {option} writes", file, option),
+            Self::Rows => message!("shell-not-the-rows", "another file than {file}, which holds the rows", file),
+            Self::Damaged => message!("shell-not-damaged-rows", "another file than {file}, which would keep damaged rows", file),
+            Self::Curves => message!("shell-not-the-curves", "another file than {file}, which has the curves", file),
+            Self::KeptCurves => message!("shell-not-kept-curves", "another file than {file}, which keeps the curves", file),
+            Self::Report => message!("shell-not-the-report", "another file than {file}, which is the report", file),
+        }
+    }
 }
 
 impl Limit {
@@ -40,7 +104,8 @@ impl Limit {
         }
         let size = |bytes: u64| bytes as f64 / f64::from(1 << 20);
         let (found, most) = (size(bytes), size(self.bytes));
-        Err(Failure::Refused(format!("{name} has {found:.1} MiB; {} may have at most {most} MiB", self.what)))
+        let at_most = self.of.has_at_most(most);
+        Err(Failure::Refused(message!("shell-too-large", "{name} has {found:.1} MiB; {at_most}", name, found, at_most)))
     }
 }
 
@@ -73,51 +138,72 @@ pub(super) fn check(path: &Path, limit: Option<Limit>) -> Result<(), Failure> {
 pub(super) fn check_target(path: &Path) -> Result<(), Failure> {
     let failed = |error: io::Error| Failure::write(path, error);
     match fs::metadata(path) {
-        Ok(metadata) if metadata.is_dir() => return Err(cannot_be_written(path, "it is a folder")),
+        Ok(metadata) if metadata.is_dir() => return Err(cannot_be_written(path, &is_folder())),
         Ok(metadata) if !metadata.is_file() => return Ok(()),
         Ok(_) => return File::options().append(true).open(path).map(drop).map_err(failed),
         Err(_) => {}
     }
-    let Some(place) = place(path) else { return Err(cannot_be_written(path, "its links lead in a circle")) };
+    let Some(place) = place(path) else {
+        return Err(cannot_be_written(path, &message!("shell-circle-of-links", "its links lead in a circle")));
+    };
     let is_folder = path.to_string_lossy().ends_with(std::path::is_separator);
     let folder = if is_folder { Some(path) } else { place.parent() };
     if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
         // Said with the folder that was given, if it is that.
         let folder = path.parent().filter(|given| !given.as_os_str().is_empty() && !given.is_dir()).unwrap_or(folder);
-        let none = || format!("there is no folder {}", quoted_path(folder));
-        return Err(cannot_be_written(
-            path,
-            &in_the_way(folder).map_or_else(none, |(file, what)| format!("{} is {what}", quoted_path(file))),
-        ));
+        let why = in_the_way(folder).map_or_else(|| no_folder(folder), |(file, obstacle)| obstacle.is(&quoted_path(file)));
+        return Err(cannot_be_written(path, &why));
     }
     // A link is not replaced: the file that it leads to is made, and goes again.
     File::options().write(true).create_new(true).open(&place).map_err(failed)?;
     fs::remove_file(&place).map_err(failed)
 }
 
-fn cannot_be_written(path: &Path, why: &str) -> Failure {
-    Failure::Refused(format!("{} cannot be written: {why}", quoted_path(path)))
-}
-
 pub(super) fn quoted_path(path: &Path) -> String {
     quoted(&path.to_string_lossy())
 }
 
+/// What keeps a folder from being made.
+#[derive(Clone, Copy)]
+enum Obstacle {
+    File,
+    BrokenLink,
+}
+
+impl Obstacle {
+    /// That a file is this.
+    fn is(self, file: &str) -> Message {
+        match self {
+            Self::File => message!("shell-is-a-file", "{file} is a file", file),
+            Self::BrokenLink => message!("shell-is-a-broken-link", "{file} is a link to what does not exist", file),
+        }
+    }
+
+    /// The same of a file that is spoken of already.
+    fn it_is(self) -> Message {
+        match self {
+            Self::File => message!("shell-it-is-a-file", "it is a file"),
+            Self::BrokenLink => message!("shell-it-is-a-broken-link", "it is a link to what does not exist"),
+        }
+    }
+}
+
 /// What is no folder and keeps one from being made, and what it is.
-fn in_the_way(folder: &Path) -> Option<(&Path, &'static str)> {
+fn in_the_way(folder: &Path) -> Option<(&Path, Obstacle)> {
     let existing = folder.ancestors().find(|path| fs::symlink_metadata(path).is_ok())?;
     match fs::metadata(existing) {
         Ok(metadata) if metadata.is_dir() => None,
-        Ok(_) => Some((existing, "a file")),
-        Err(_) => Some((existing, "a link to what does not exist")),
+        Ok(_) => Some((existing, Obstacle::File)),
+        Err(_) => Some((existing, Obstacle::BrokenLink)),
     }
 }
 
 /// Refuses a folder that cannot be made, because it is a file or in one.
 pub(super) fn check_folder(field: &str, folder: &Path) -> Result<(), Failure> {
-    let Some((file, what)) = in_the_way(folder) else { return Ok(()) };
-    let file = if file == folder { "it".to_owned() } else { quoted_path(file) };
-    Err(Error::refused(field, folder.display().to_string(), Message::verbatim(format!("a folder, but {file} is {what}"))).into())
+    let Some((file, obstacle)) = in_the_way(folder) else { return Ok(()) };
+    let why = if file == folder { obstacle.it_is() } else { obstacle.is(&quoted_path(file)) };
+    let allowed = message!("shell-a-folder-but", "a folder, but {why}", why);
+    Err(Error::refused(field, folder.display().to_string(), allowed).into())
 }
 
 /// Makes the folder of a file that an option writes, if it is missing.
@@ -127,15 +213,10 @@ pub(super) fn make_folder_of(field: &str, path: &Path) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))
 }
 
-/// Refuses to write the file of an option over another one. Of the others it is known what they are for, such as `is read`.
-pub(super) fn check_apart(field: &str, path: &Path, others: &[(&str, &Path)]) -> Result<(), Failure> {
+/// Refuses to write the file of an option over another one.
+pub(super) fn check_apart(field: &str, path: &Path, others: &[(Role, &Path)]) -> Result<(), Failure> {
     match others.iter().find(|(_, other)| is_same(path, other)) {
-        Some((role, other)) => Err(Error::refused(
-            field,
-            path.display().to_string(),
-            Message::verbatim(format!("another file than {}, which {role}", other.display())),
-        )
-        .into()),
+        Some((role, other)) => Err(Error::refused(field, path.display().to_string(), role.another(other)).into()),
         None => Ok(()),
     }
 }
@@ -150,31 +231,32 @@ fn check_kind(name: &str, metadata: &Metadata) -> Result<(), Failure> {
     if found.is_file() {
         return Ok(());
     }
-    Err(Failure::Refused(format!("{name} is not a regular file{}", kind(found))))
-}
-
-fn kind(found: FileType) -> &'static str {
-    if found.is_dir() {
-        return " but a folder";
-    }
-    special(found)
+    Err(Failure::Refused(if found.is_dir() {
+        message!("shell-file-is-folder", "{name} is not a regular file but a folder", name)
+    } else {
+        special(name, found)
+    }))
 }
 
 #[cfg(unix)]
-fn special(found: FileType) -> &'static str {
+fn special(name: &str, found: FileType) -> Message {
     use std::os::unix::fs::FileTypeExt;
     if found.is_fifo() {
-        " but a named pipe"
+        message!("shell-file-is-pipe", "{name} is not a regular file but a named pipe", name)
     } else if found.is_socket() {
-        " but a socket"
+        message!("shell-file-is-socket", "{name} is not a regular file but a socket", name)
     } else if found.is_char_device() || found.is_block_device() {
-        " but a device"
+        message!("shell-file-is-device", "{name} is not a regular file but a device", name)
     } else {
-        ""
+        not_regular(name)
     }
 }
 
 #[cfg(not(unix))]
-fn special(_: FileType) -> &'static str {
-    ""
+fn special(name: &str, _: FileType) -> Message {
+    not_regular(name)
+}
+
+fn not_regular(name: &str) -> Message {
+    message!("shell-file-not-regular", "{name} is not a regular file", name)
 }

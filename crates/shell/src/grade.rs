@@ -15,6 +15,8 @@ use std::{
 
 use forage::{
     Error, Link, Registry,
+    kernel::message::in_english,
+    message,
     run::{Judgement, Task},
 };
 use serde::{Deserialize, Serialize};
@@ -39,7 +41,7 @@ struct Handed<'a> {
     link: &'a str,
 }
 
-/// A row of the result. The first four say what a link is worth, the others what it is of.
+/// A row of the result, in English. The first four say what a link is worth, the others what it is of.
 #[derive(Default, Serialize, Deserialize)]
 struct Row {
     reached: bool,
@@ -66,12 +68,16 @@ pub(super) fn grade(args: &GradeArgs) -> failure::Outcome {
     let text = read(&args.links, LARGEST_LIST)?;
     let all: Vec<_> = text.lines().enumerate().filter_map(|(k, line)| handed(k + 1, line)).collect();
     if all.is_empty() {
-        return Err(Failure::Refused("there is no link to grade: each line has one, and whose it is may stand before it".to_owned()));
+        return Err(Failure::Refused(message!(
+            "shell-no-link-to-grade",
+            "there is no link to grade: each line has one, and whose it is may stand before it"
+        )));
     }
     let rows = graded(&given, &task, &all, args.jobs)?;
     let good = rows.iter().filter(|row| row.reached && row.verified).count();
     print_raw(csv_of(&rows)?.trim_ascii_end())?;
-    note(&format!("{good} of {} reached the goal, with a hash that came out again", rows.len()));
+    let all = rows.len();
+    note(message!("shell-graded", "{good} of {all} reached the goal, with a hash that came out again", good, all));
     Ok(ExitCode::from(u8::from(good < rows.len())))
 }
 
@@ -81,7 +87,7 @@ fn task_of(args: &GradeArgs, text: &str) -> Result<Task, Failure> {
 
 fn read(path: &Path, limit: Limit) -> Result<String, Failure> {
     let bytes = files::read(path, limit)?;
-    String::from_utf8(bytes).map_err(|_| Failure::Refused(format!("{}: this is no text", files::quoted_path(path))))
+    String::from_utf8(bytes).map_err(|_| Failure::no_text(path))
 }
 
 /// What a line has; nothing where it is empty or a comment.
@@ -106,7 +112,7 @@ fn graded(given: &str, task: &Task, all: &[Handed<'_>], jobs: Option<NonZeroUsiz
         for _ in 0..threads {
             scope.spawn(|| {
                 while let Some(one) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let row = if forage_isolate::carries_code(one.link) { apart(given, one) } else { Ok(row(task, one)) };
+                    let row = if forage_isolate::carries_code(one.link) { apart(given, one) } else { Ok(in_english(|| row(task, one))) };
                     rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
                 }
             });
@@ -124,9 +130,9 @@ const END: char = '\0';
 /// Grades a link in a program of its own: what somebody wrote may not end, and the others are to be graded all the same. `given`: the
 /// task.
 fn apart(given: &str, one: &Handed<'_>) -> Result<Row, Failure> {
-    let failed = |error| Failure::File("a program for somebody's code".to_owned(), error);
+    let failed = |error| Failure::File(message!("shell-program-for-code", "a program for somebody's code").to_string(), error);
     let begun = env::current_exe().and_then(|program| {
-        let of = ["grade", "--alone", "--task", "task", "links"];
+        let of = ["--lang", "en", "grade", "--alone", "--task", "task", "links"];
         Command::new(program).args(of).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()
     });
     let mut program = begun.map_err(failed)?;
@@ -149,7 +155,10 @@ fn apart(given: &str, one: &Handed<'_>) -> Result<Row, Failure> {
 /// The other program's part: one link.
 fn alone(args: &GradeArgs) -> failure::Outcome {
     let mut text = String::new();
-    io::stdin().read_to_string(&mut text).map_err(|error| Failure::File("standard input".to_owned(), error))?;
+    io::stdin().read_to_string(&mut text).map_err(|error| {
+        let input = message!("shell-standard-input", "standard input");
+        Failure::File(input.to_string(), error)
+    })?;
     let (given, link) = text.split_once(END).unwrap_or_default();
     let row = row(&task_of(args, given)?, &Handed { line: 1, name: "", link });
     print_raw(csv_of(&[row])?.trim_ascii_end())?;
@@ -197,8 +206,8 @@ fn opened(link: &str) -> Result<(Arc<Registry>, Link), Error> {
 }
 
 fn csv_of(rows: &[Row]) -> Result<Vec<u8>, Failure> {
-    let failed = |error: csv::Error| Failure::File("standard output".to_owned(), error.into());
+    let failed = |error: csv::Error| Failure::output(error.into());
     let mut out = csv::Writer::from_writer(Vec::new());
     rows.iter().try_for_each(|row| out.serialize(row)).map_err(failed)?;
-    out.into_inner().map_err(|error| Failure::File("standard output".to_owned(), error.into_error()))
+    out.into_inner().map_err(|error| Failure::output(error.into_error()))
 }

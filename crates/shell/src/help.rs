@@ -1,15 +1,19 @@
-//! The commands' help in the language that is printed. Its English is in the commands themselves.
+//! The commands' help in the language that is printed. Its English is in the commands themselves, and is laid out by clap; help in
+//! other languages is laid out here: clap breaks lines at spaces only.
+
+mod layout;
 
 use std::collections::BTreeSet;
 
-use clap::{Arg, ArgAction, Command, CommandFactory, builder::StyledStr};
+use clap::{Arg, Command, CommandFactory, builder::StyledStr};
+use forage::message;
 use forage_languages::speaker;
-
-use super::{
-    args::Cli,
-    language::say,
-    text::{columns, wrap},
+use forage_study::{
+    registry::{REPRODUCTIONS, STUDIES},
+    words::WORDS,
 };
+
+use super::{args::Cli, language::say, registry::registry, text::listed};
 
 /// What clap itself says.
 const ARGUMENTS: &str = "Arguments";
@@ -17,25 +21,55 @@ const COMMANDS: &str = "Commands";
 const OPTIONS: &str = "Options";
 const USAGE: &str = "Usage:";
 const HELP: &str = "Print help";
+const MORE_HELP: &str = "Print help (see more with '--help')";
+const LESS_HELP: &str = "Print help (see a summary with '-h')";
 const VERSION: &str = "Print version";
-const DEFAULT: &str = "Default:";
-const ONE_OF: &str = "One of:";
-const OWN: [&str; 8] = [ARGUMENTS, COMMANDS, OPTIONS, USAGE, HELP, VERSION, DEFAULT, ONE_OF];
-/// The long help of an option begins in this column.
-const INDENT: usize = 10;
+const HELP_COMMAND: &str = "Print this message or the help of the given subcommand(s)";
+const HELP_OF: &str = "Print help for the subcommand(s)";
+const OWN: [&str; 10] = [ARGUMENTS, COMMANDS, OPTIONS, USAGE, HELP, MORE_HELP, LESS_HELP, VERSION, HELP_COMMAND, HELP_OF];
+/// What the notes of generators say.
+const NOTES: [&str; 4] = [
+    "There are {1} discs, not {2}: there is room for no more.",
+    "There are {1} stops, not {2}: there is room for no more.",
+    "There are {1} moving obstacles, not {2}: there is no room for more clear of the start.",
+    "{1} of {2} cells are blocked, not {3}: more would leave no way from start to goal.",
+];
 
 /// The commands with their help in the language that is printed.
 pub(super) fn command() -> Command {
-    let command = Cli::command();
-    if speaker().is_none() { command } else { translated(command.disable_help_subcommand(true)) }
+    let mut command = Cli::command();
+    if speaker().is_none() {
+        return command;
+    }
+    command.build();
+    laid_out(translated(command))
 }
 
-/// All texts of help, for translators: each once, in their order.
+/// The same with texts that nothing is done to, as manual pages have them.
+pub(super) fn described() -> Command {
+    let command = Cli::command();
+    if speaker().is_none() { command } else { translated(command) }
+}
+
+/// All texts of help, and those of what there is that the catalogue does not have, for translators: each once, in their order.
 pub(super) fn texts() -> Vec<String> {
-    let mut all: Vec<String> = OWN.iter().map(|&text| text.to_owned()).collect();
+    let mut all: Vec<String> = OWN.iter().chain(&NOTES).map(|&text| text.to_owned()).collect();
     collect(&Cli::command(), &mut all);
+    for entry in registry().planners() {
+        all.extend([entry.evaluation, entry.source].map(str::to_owned));
+    }
+    for follower in registry().followers() {
+        all.extend([follower.title, follower.needs, follower.source].map(str::to_owned));
+    }
+    let sources = registry().scenes().iter().filter_map(|scene| scene.header().source.clone());
+    // Some are commands.
+    all.extend(sources.filter(|source| !source.starts_with("forage ")));
+    for study in REPRODUCTIONS.iter().chain(STUDIES) {
+        all.extend([study.title, study.source].map(str::to_owned));
+    }
+    all.extend(WORDS.iter().map(|&word| word.to_owned()));
     let mut seen = BTreeSet::new();
-    all.retain(|text| seen.insert(text.clone()));
+    all.retain(|text| !text.is_empty() && seen.insert(text.clone()));
     all
 }
 
@@ -44,7 +78,7 @@ fn collect(command: &Command, all: &mut Vec<String>) {
     all.extend(abouts.into_iter().flatten().flat_map(paragraphs));
     all.extend(command.get_subcommand_help_heading().map(str::to_owned));
     let after = command.get_after_help().map(ToString::to_string).unwrap_or_default();
-    all.extend(after.lines().flat_map(|line| parts(line).1).map(str::to_owned));
+    all.extend(after.lines().filter_map(|line| parts(line).1).map(str::to_owned));
     for arg in command.get_arguments() {
         all.extend(arg.get_help_heading().map(str::to_owned));
         all.extend([arg.get_help(), arg.get_long_help()].into_iter().flatten().flat_map(paragraphs));
@@ -69,7 +103,7 @@ fn parts(line: &str) -> (&str, Option<&str>) {
 }
 
 /// Examples with what they say in the language that is printed.
-pub(super) fn examples(text: &str) -> String {
+fn examples(text: &str) -> String {
     let line = |line: &str| match parts(line) {
         (before, Some(said)) => format!("{before}{}", say(said, "")),
         (line, None) => line.to_owned(),
@@ -77,51 +111,53 @@ pub(super) fn examples(text: &str) -> String {
     text.lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// A text by its paragraphs, in lines that fit: Han has no spaces, at which clap would break it.
-fn told(text: &StyledStr, indent: usize) -> String {
-    let wide = columns().saturating_sub(indent);
-    paragraphs(text).iter().map(|part| wrap(say(part, ""), wide, 0)).collect::<Vec<_>>().join("\n\n")
+/// A text by its paragraphs.
+fn told(text: &StyledStr) -> String {
+    paragraphs(text).iter().map(|part| say(part, "").to_owned()).collect::<Vec<_>>().join("\n\n")
 }
 
+/// Every text of a command and of those below it.
 fn translated(mut command: Command) -> Command {
-    let template = format!("{{before-help}}{{about-with-newline}}\n{} {{usage}}\n\n{{all-args}}{{after-help}}", say(USAGE, ""));
-    if let Some(about) = command.get_about().map(|about| told(about, 0)) {
+    if let Some(about) = command.get_about().map(told) {
         command = command.about(about);
     }
-    if let Some(about) = command.get_long_about().map(|about| told(about, 0)) {
+    if let Some(about) = command.get_long_about().map(told) {
         command = command.long_about(about);
     }
     if let Some(after) = command.get_after_help().map(|after| examples(&after.to_string())) {
         command = command.after_help(after);
     }
-    let heading = say(command.get_subcommand_help_heading().unwrap_or(COMMANDS), "").to_owned();
-    let help = Arg::new("help").short('h').long("help").action(ArgAction::Help).help(say(HELP, "").to_owned());
-    let version = Arg::new("version").short('V').long("version").action(ArgAction::Version).help(say(VERSION, "").to_owned());
-    let option = say(OPTIONS, "").to_owned();
-    command = command.help_template(template).subcommand_help_heading(heading).mut_args(argument).mut_subcommands(translated);
-    command = command.disable_help_flag(true).arg(help.help_heading(option.clone()));
-    command.disable_version_flag(true).arg(version.help_heading(option))
+    if let Some(heading) = command.get_subcommand_help_heading().map(|heading| say(heading, "").to_owned()) {
+        command = command.subcommand_help_heading(heading);
+    }
+    command.mut_args(argument).mut_subcommands(translated)
 }
 
 fn argument(arg: Arg) -> Arg {
-    let heading = arg.get_help_heading().unwrap_or(if arg.is_positional() { ARGUMENTS } else { OPTIONS });
-    let heading = say(heading, "").to_owned();
-    let mut notes = String::new();
-    let takes_values = arg.get_action().takes_values();
-    if takes_values && !arg.is_hide_default_value_set() && !arg.get_default_values().is_empty() {
-        let values: Vec<_> = arg.get_default_values().iter().map(|value| value.to_string_lossy().into_owned()).collect();
-        notes += &format!(" {} {}", say(DEFAULT, ""), values.join(", "));
-    }
-    if takes_values && !arg.is_hide_possible_values_set() {
-        let values: Vec<_> = arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
-        if !values.is_empty() {
-            notes += &format!(" {} {}", say(ONE_OF, ""), values.join(", "));
-        }
-    }
-    let help = arg.get_help().map(|text| say(&text.to_string(), "").to_owned() + &notes);
-    let long = arg.get_long_help().or(arg.get_help()).map(|text| told(text, INDENT) + &notes);
-    let arg = arg.help_heading(heading);
-    let arg = if takes_values { arg.hide_default_value(true).hide_possible_values(true) } else { arg };
+    let (help, long) = (arg.get_help().map(told), arg.get_long_help().map(told));
     let arg = if let Some(help) = help { arg.help(help) } else { arg };
     if let Some(long) = long { arg.long_help(long) } else { arg }
+}
+
+/// Has a command and those below it print pages of their own instead of clap's.
+fn laid_out(mut command: Command) -> Command {
+    let [short, long] = [false, true].map(|long| layout::page(&mut command, long));
+    command.before_help(short).before_long_help(long).help_template("{before-help}").mut_subcommands(laid_out)
+}
+
+/// What is said of an option's default and of its possible values.
+fn notes(arg: &Arg) -> String {
+    let mut notes = String::new();
+    if !arg.get_action().takes_values() {
+        return notes;
+    }
+    let defaults: Vec<_> = arg.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
+    if !arg.is_hide_default_value_set() && !defaults.is_empty() {
+        notes += &message!("shell-default", "[default: {values}]", values = listed(&defaults)).text();
+    }
+    let possible: Vec<_> = arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
+    if !arg.is_hide_possible_values_set() && !possible.is_empty() {
+        notes += &message!("shell-possible-values", "[possible values: {values}]", values = listed(&possible)).text();
+    }
+    notes
 }

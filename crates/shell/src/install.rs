@@ -2,9 +2,11 @@
 
 use std::{fs, path::Path, process::ExitCode};
 
-use clap::{Command, builder::Resettable};
+use clap::{Command, CommandFactory, builder::Resettable};
+use forage::message;
 
 use super::{
+    args::Cli,
     failure::{Failure, Outcome},
     files, help,
     output::{note, print_raw},
@@ -16,10 +18,10 @@ const SOURCE: &str = concat!("forage ", env!("CARGO_PKG_VERSION"));
 
 const THIRD_PARTY: &str = include_str!("../THIRD-PARTY.md");
 
-/// Prints a completion script.
+/// Prints a completion script: a program, which is in English.
 pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut help::command(), "forage", &mut script);
+    clap_complete::generate(shell, &mut Cli::command(), "forage", &mut script);
     print_raw(script.trim_ascii_end())?;
     Ok(ExitCode::SUCCESS)
 }
@@ -27,7 +29,7 @@ pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {
 /// Prints the manual page, or writes one page per subcommand into a folder.
 pub(super) fn man(folder: Option<&Path>) -> Outcome {
     // `forage help` has nothing to say about itself.
-    let mut command = help::command().disable_help_subcommand(true);
+    let mut command = help::described().disable_help_subcommand(true);
     command.build();
     let Some(folder) = folder else {
         print_raw(page(command)?.trim_ascii_end())?;
@@ -48,7 +50,8 @@ pub(super) fn man(folder: Option<&Path>) -> Outcome {
         let name = command.get_display_name().unwrap_or_else(|| command.get_name()).to_owned();
         files::write(&folder.join(format!("{name}.1")), page(command)?)?;
     }
-    note(&format!("wrote {count} manual pages to {}", quoted(&folder.to_string_lossy())));
+    let folder = quoted(&folder.to_string_lossy());
+    note(message!("shell-wrote-pages", "wrote {count} manual pages to {folder}", count, folder));
     Ok(ExitCode::SUCCESS)
 }
 
@@ -57,7 +60,7 @@ fn page(command: Command) -> Result<Vec<u8>, Failure> {
     let examples = command.get_after_help().map_or(String::new(), ToString::to_string);
     let mut page = Vec::new();
     let rendered = clap_mangen::Man::new(command.after_help(Resettable::Reset)).source(SOURCE).render(&mut page);
-    rendered.map_err(|error| Failure::File("manual page".to_owned(), error))?;
+    rendered.map_err(|error| Failure::File(message!("shell-manual-page", "manual page").to_string(), error))?;
     page.extend(b".SH EXAMPLES\n.nf\n");
     for line in examples.lines() {
         // A line that begins with a point or an apostrophe would be a request.

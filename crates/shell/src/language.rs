@@ -1,5 +1,7 @@
 //! The language that is printed: that of `--lang`, or else the environment's.
 
+use std::{borrow::Cow, fmt::Write};
+
 use forage_languages::{closest, speak, speaker, tags};
 
 /// The languages that `--lang` takes.
@@ -42,6 +44,65 @@ pub(super) fn say<'a>(text: &'a str, place: &str) -> &'a str {
     speaker().map_or(text, |speaker| speaker.text(text, place))
 }
 
+/// A text with numbers in it, which are translated once for all numbers: `There are {1} stops, not {2}`.
+pub(super) fn say_numbered(text: &str) -> Cow<'_, str> {
+    let Some(speaker) = speaker() else { return Cow::Borrowed(text) };
+    let direct = speaker.text(text, "");
+    if direct != text {
+        return Cow::Borrowed(direct);
+    }
+    let (pattern, numbers) = numbered(text);
+    let said = speaker.text(&pattern, "");
+    if said == pattern {
+        return Cow::Borrowed(text);
+    }
+    Cow::Owned(numbers.iter().enumerate().fold(said.to_owned(), |said, (k, number)| said.replace(&format!("{{{}}}", k + 1), number)))
+}
+
+/// The same, for what other crates print.
+pub(super) fn said(text: &str) -> String {
+    say_numbered(text).into_owned()
+}
+
+/// A text with `{1}`, `{2}` … for its numbers, and the numbers, as package/texts.js finds them.
+fn numbered(text: &str) -> (String, Vec<&str>) {
+    let (mut pattern, mut numbers, mut at) = (String::new(), Vec::new(), 0);
+    while let Some(character) = text[at..].chars().next() {
+        let begins = !text[..at].ends_with(|c: char| c.is_ascii_alphanumeric() || "_.{".contains(c));
+        let length = if begins { number(&text[at..]) } else { 0 };
+        if length == 0 {
+            pattern.push(character);
+            at += character.len_utf8();
+        } else {
+            numbers.push(&text[at..at + length]);
+            // Writing to a string cannot fail.
+            let _ = write!(pattern, "{{{}}}", numbers.len());
+            at += length;
+        }
+    }
+    (pattern, numbers)
+}
+
+/// How long the number is that a text begins with: digits with points and commas between them, and a power of ten. 0: none.
+fn number(text: &str) -> usize {
+    let digits = |at: usize| text[at..].bytes().take_while(u8::is_ascii_digit).count();
+    let sign = |at: usize| text[at..].chars().next().filter(|c| ['-', '−', '+'].contains(c)).map_or(0, char::len_utf8);
+    let mut end = if text.starts_with('+') { 0 } else { sign(0) };
+    if digits(end) == 0 {
+        return 0;
+    }
+    end += digits(end);
+    while text[end..].starts_with(['.', ',']) && digits(end + 1) > 0 {
+        end += 1 + digits(end + 1);
+    }
+    if text[end..].starts_with('e') {
+        let sign = sign(end + 1);
+        let power = digits(end + 1 + sign);
+        end += if power > 0 { 1 + sign + power } else { 0 };
+    }
+    if text[end..].starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_' || c == '}') { 0 } else { end }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,5 +114,12 @@ mod tests {
         assert_eq!(found("run pso --lang=de"), Some("de".to_owned()));
         assert_eq!(found("run -- --lang zh-CN"), None);
         assert_eq!(found("run --lang"), None);
+    }
+
+    #[test]
+    fn numbers_are_told_from_texts() {
+        assert_eq!(numbered("There are 2 stops, not 1,000."), ("There are {1} stops, not {2}.".to_owned(), vec!["2", "1,000"]));
+        assert_eq!(numbered("[WCPSO] §2.1, r1 (−1.5e-3)"), ("[WCPSO] §{1}, r1 ({2})".to_owned(), vec!["2.1", "−1.5e-3"]));
+        assert_eq!(numbered("2-opt"), ("{1}-opt".to_owned(), vec!["2"]));
     }
 }

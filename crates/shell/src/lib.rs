@@ -35,6 +35,7 @@ mod grade;
 mod help;
 mod install;
 mod interrupt;
+mod kinds;
 mod language;
 mod list;
 mod load;
@@ -51,12 +52,10 @@ mod usage;
 use std::process::ExitCode;
 
 use clap::FromArgMatches;
-use forage::Registry;
+use forage::{Registry, message};
 
 use args::{Cli, Command};
 use failure::Failure;
-
-const UNSTOPPABLE: &str = "code: it took longer than 900 ms and could not be stopped: something built in took several seconds";
 
 /// Runs the command line with the planners, scenes, generators and followers of a registry, and returns its exit code. In one
 /// process the registry of the first call counts.
@@ -69,7 +68,10 @@ pub fn main_with(known: Registry) -> ExitCode {
         Err(error) => return usage::report(&error),
     };
     forage_isolate::watch(|| {
-        output::report(&Failure::Refused(UNSTOPPABLE.to_owned()));
+        output::report(&Failure::Refused(message!(
+            "shell-unstoppable",
+            "code: it took longer than 900 ms and could not be stopped: something built in took several seconds"
+        )));
         std::process::exit(2);
     });
     let outcome = match command {

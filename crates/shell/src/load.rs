@@ -10,7 +10,8 @@ use std::{
 use forage::{
     Error, Link, Overrides, Registry, Scene, Setup, Value,
     describe::{Entry, Follower, Suggestion},
-    kernel::{Message, SceneKindId, limits, rng},
+    kernel::{Message, limits, message::in_english, rng},
+    message,
 };
 
 use forage_formats::{self as formats, Format, NamedFile};
@@ -20,10 +21,12 @@ use super::{
     failure::Failure,
     failure::in_file,
     files::{self, LARGEST_SCENE, LONGEST_CODE, LONGEST_LINK},
+    kinds,
+    language::say,
     names::{self, Subject},
     output::{note, notes},
     registry::{self, registry},
-    text::quoted,
+    text::{all_of, quoted},
 };
 
 /// A run to be carried out.
@@ -63,8 +66,9 @@ pub(super) fn scene_and_files(text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), 
         return Ok((scene, files.into_iter().map(|file| file.name.into()).collect()));
     }
     let bytes = files::read(path, LARGEST_SCENE)?;
-    let json = String::from_utf8(bytes)
-        .map_err(|problem| in_file(path, &Error::malformed("scene", Message::verbatim(format!("not JSON: {problem}")))))?;
+    let json = String::from_utf8(bytes).map_err(|problem| {
+        in_file(path, &Error::malformed("scene", message!("error-not-json", "not JSON: {problem}", problem = problem.to_string())))
+    })?;
     let scene = registry().read_scene(&json).map_err(|error| in_file(path, &error))?;
     Ok((Arc::new(scene), vec![path.to_owned()]))
 }
@@ -74,16 +78,16 @@ pub(super) fn no_scene(text: &str) -> Failure {
     let near = names::nearest(text, &names::scenes());
     let name = quoted(text);
     Failure::Refused(if near.is_empty() {
-        format!("{name}: no such file (and not a shipped scene; `forage list` shows those)")
+        message!("shell-no-file-and-no-scene", "{name}: no such file (and not a shipped scene; `forage list` shows those)", name)
     } else {
-        let near = near.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ");
-        format!("{name}: no such file or shipped scene; did you mean {near}? `forage list` shows all scenes")
+        let said = message!("shell-no-file-or-scene", "{name}: no such file or shipped scene", name);
+        names::meant(&said, &near).then(message!("shell-all-shipped-scenes", "`forage list` shows all scenes"))
     })
 }
 
 /// Reads a link.
 fn link(text: &str) -> Result<Link, Failure> {
-    LONGEST_LINK.check("the link", text.len() as u64)?;
+    LONGEST_LINK.check(&message!("shell-the-link", "the link").text(), text.len() as u64)?;
     Ok(Link::parse(registry(), text)?)
 }
 
@@ -97,7 +101,9 @@ pub(super) fn import(files: &mut Vec<NamedFile>, problem: Option<usize>) -> Resu
             files.push(read(&path.to_string_lossy())?);
         }
     }
-    let imported = formats::import(registry(), files, problem).map_err(|error| match error {
+    let read = || formats::import(registry(), files, problem);
+    // The note of a scene is in English; why there is none is not.
+    let imported = in_english(read).or_else(|_| read()).map_err(|error| match error {
         Error::Refused { field, value, allowed } if field == "problem" => Error::refused("--problem", value, allowed),
         other => other,
     })?;
@@ -146,8 +152,7 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
 
 /// Adds the planner of a file's code to those that are known; returns its name.
 pub(super) fn register_code(path: &Path) -> Result<&'static str, Failure> {
-    let code = String::from_utf8(files::read(path, LONGEST_CODE)?)
-        .map_err(|_| Failure::Refused(format!("{}: this is no text", files::quoted_path(path))))?;
+    let code = String::from_utf8(files::read(path, LONGEST_CODE)?).map_err(|_| Failure::no_text(path))?;
     let entry = own_planner(&code, registry()).map_err(|error| in_file(path, &error))?;
     registry::register(entry);
     Ok(entry.name)
@@ -157,17 +162,20 @@ pub(super) fn register_code(path: &Path) -> Result<&'static str, Failure> {
 pub(super) fn own_planner(code: &str, known: &Registry) -> Result<&'static Entry, Error> {
     let entry = forage_isolate::entry(code)?;
     match known.planner(entry.name) {
-        Ok(_) => Err(Error::refused("name", entry.name, Message::verbatim("a name that no other planner has"))),
+        Ok(_) => Err(Error::refused("name", entry.name, message!("shell-name-of-its-own", "a name that no other planner has"))),
         Err(_) => Ok(entry),
     }
 }
 
 fn from_names(planner: Option<&str>, scene_name: Option<&str>) -> Result<Task, Failure> {
-    let missing = |what: &str| Failure::Refused(format!("{what}, e.g. `forage run wcpso --scene wcpso-discs`; `forage list` shows all"));
-    let planner = planner.ok_or_else(|| missing("a planner is missing"))?;
+    let missing = |what: Message| {
+        let example = "forage run wcpso --scene wcpso-discs";
+        Failure::Refused(message!("shell-for-example", "{what}, e.g. `{example}`; `forage list` shows all", what, example))
+    };
+    let planner = planner.ok_or_else(|| missing(message!("shell-planner-missing", "a planner is missing")))?;
     registry().planner(planner)?;
-    let (scene, files) =
-        scene_and_files(scene_name.ok_or_else(|| missing("--scene is missing: a file, a shipped scene’s name or a link"))?)?;
+    let no_scene = || message!("shell-scene-missing", "--scene is missing: a file, a shipped scene’s name or a link");
+    let (scene, files) = scene_and_files(scene_name.ok_or_else(|| missing(no_scene()))?)?;
     let setup = Setup { planner: planner.to_owned(), scene, params: Overrides::new(), seed: 1 };
     Ok(Task { setup, stop_at: None, expected_hash: None, files })
 }
@@ -177,10 +185,11 @@ fn from_link(link: Link, planner: Option<&str>) -> Task {
     match planner.filter(|&name| name != link.setup.planner) {
         None => Task { stop_at: Some(link.iteration), expected_hash: link.hash, setup: link.setup, files: Vec::new() },
         Some(name) => {
-            note(&format!(
-                "the link is for {}; running {} on its scene with its seed and default parameters",
-                link.setup.planner,
-                quoted(name)
+            note(message!(
+                "shell-link-for-another",
+                "the link is for {planner}; running {name} on its scene with its seed and default parameters",
+                planner = link.setup.planner,
+                name = quoted(name)
             ));
             let setup = Setup { planner: name.to_owned(), params: Overrides::new(), ..link.setup };
             Task { setup, stop_at: None, expected_hash: None, files: Vec::new() }
@@ -245,7 +254,9 @@ fn follow_checked<'a>(
 }
 
 fn not_for(option: &str, scene: &Scene, needed: &str) -> Failure {
-    Failure::Refused(format!("{option} needs {needed}; {} is of kind {}", quoted(scene.name()), scene.kind().name()))
+    let (scene, kind) = (quoted(scene.name()), kinds::name(scene.kind().name()));
+    let needed = say(needed, "");
+    Failure::Refused(message!("shell-option-needs", "{option} needs {needed}; {scene} is of kind {kind}", option, needed, scene, kind))
 }
 
 /// Puts --seed, --preset, --iterations and --set into the setup; returns whether anything was given.
@@ -277,7 +288,10 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
 pub(super) fn suggestion(setup: &Setup) -> Result<(Suggestion, &'static str), Failure> {
     let entry = registry().planner(&setup.planner)?;
     let suggested = setup.suggest(registry()).map_err(|error| in_setup(setup, &error))?;
-    let none = || format!("no paper recommends sizes for `{}` on {} with these parameters", entry.name, quoted(setup.scene.name()));
+    let none = || {
+        let (planner, scene) = (entry.name, quoted(setup.scene.name()));
+        message!("shell-not-recommended", "no paper recommends sizes for `{planner}` on {scene} with these parameters", planner, scene)
+    };
     Ok((suggested.ok_or_else(|| Failure::Refused(none()))?, entry.title))
 }
 
@@ -290,9 +304,14 @@ pub(super) fn in_setup(setup: &Setup, error: &Error) -> Failure {
         && field == "parameter"
         && let Some(parameter) = entry.parameter(value)
     {
-        let kinds: Vec<_> = parameter.kinds.iter().copied().map(SceneKindId::name).collect();
-        let (kinds, found) = (kinds.join(" and "), setup.scene.kind().name());
-        return Failure::Refused(format!("`{value}` applies to scenes of kind {kinds}; this one is of kind {found}"));
+        let (kinds, found) = (all_of(&kinds::names(parameter.kinds)), kinds::name(setup.scene.kind().name()));
+        return Failure::Refused(message!(
+            "shell-not-of-this-kind",
+            "`{value}` applies to scenes of kind {kinds}; this one is of kind {found}",
+            value,
+            kinds,
+            found
+        ));
     }
     Failure::about(Subject::Named(entry.name), error)
 }

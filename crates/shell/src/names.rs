@@ -5,11 +5,15 @@ use clap::{
     builder::{PossibleValue, StringValueParser, TypedValueParser},
     error::Error as ClapError,
 };
+use forage::{kernel::Message, message};
 use forage_study::registry::{REPRODUCTIONS, STUDIES};
 
 use crate::registry::registry;
 
-use super::text::{cut_list, quoted};
+use super::{
+    failure,
+    text::{cut_list, either, quoted},
+};
 
 /// Whose parameters a message is about.
 #[derive(Clone, Copy)]
@@ -56,48 +60,74 @@ pub(super) fn pages() -> Vec<&'static str> {
 }
 
 /// The message about a name that is not one of `known`.
-pub(super) fn unknown(field: &str, value: &str, known: &[&str], subject: Subject<'_>) -> String {
+pub(super) fn unknown(field: &str, value: &str, known: &[&str], subject: Subject<'_>) -> Message {
     // A name may be followed by where it was looked for: `c2 (pso on sphere)`.
     let (known, place) = match known.split_last() {
         Some((last, others)) => match last.split_once(" (") {
-            Some((last, place)) => ([others, &[last]].concat(), format!(" ({place}")),
-            None => (known.to_vec(), String::new()),
+            Some((last, place)) => ([others, &[last]].concat(), place.trim_end_matches(')')),
+            None => (known.to_vec(), ""),
         },
-        None => (Vec::new(), String::new()),
+        None => (Vec::new(), ""),
     };
-    let (what, whole) = kind_of_name(field, subject);
-    let at = if field.contains(['[', '.']) { format!("{field}: ") } else { String::new() };
     let value = quoted(value.trim());
     let nearest = nearest(value.trim_matches('`'), &known);
+    let (said, whole) = no_such_name(field, &value, subject);
+    let said = if place.is_empty() { said } else { message!("shell-with-place", "{said} ({place})", said, place) };
+    let said = if field.contains(['[', '.']) { failure::at(field, &said) } else { said };
     if nearest.is_empty() {
         let list = cut_list(&known, 110);
-        let more = if list.contains('…') && !whole.is_empty() { format!("; {whole}") } else { String::new() };
-        return format!("{at}{value} is not {what}{place}; it must be one of {list}{more}");
+        let said = message!("shell-must-be-one-of", "{said}; it must be one of {list}", said, list);
+        return if list.contains('…') && !whole.is_empty() { hinted(&said, &whole) } else { said };
     }
-    let names = nearest.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ");
-    let whole = if whole.is_empty() { String::new() } else { format!(" {whole}") };
-    format!("{at}{value} is not {what}{place}; did you mean {names}?{whole}")
+    meant(&said, &nearest).then(whole)
 }
 
-/// What a field's names are names of, and which command shows all of them.
-fn kind_of_name(field: &str, subject: Subject<'_>) -> (String, String) {
-    let shows = |command: &str, what: &str| format!("`{command}` shows all {what}");
+/// What is wrong, and what may have been meant.
+pub(super) fn meant(said: &Message, near: &[impl AsRef<str>]) -> Message {
+    message!("shell-did-you-mean", "{said}; did you mean {names}?", said, names = either(near))
+}
+
+/// What is wrong, and what helps.
+pub(super) fn hinted(said: &Message, hint: &Message) -> Message {
+    message!("shell-hint", "{said}; {hint}", said, hint)
+}
+
+/// That a field's name is none of those that there are, and which command shows all of them.
+fn no_such_name(field: &str, value: &str, subject: Subject<'_>) -> (Message, Message) {
     let last = field.rsplit('.').next().unwrap_or(field);
-    let is_planner = field == "planner" || field.starts_with("planner[") && last == "name";
-    if is_planner {
-        return ("a planner".to_owned(), shows("forage list", "planners"));
+    if field == "planner" || field.starts_with("planner[") && last == "name" {
+        let all = message!("shell-all-planners", "`forage list` shows all planners");
+        return (message!("shell-no-planner", "{value} is not a planner", value), all);
     }
     match (last, subject) {
-        ("scene", _) => ("a shipped scene".to_owned(), shows("forage list", "scenes")),
-        ("generator", _) => ("a generator".to_owned(), shows("forage list", "generators")),
-        ("STUDY", _) => ("a study".to_owned(), shows("forage study --help", "names")),
-        ("NAME", _) => ("a reproduction".to_owned(), shows("forage reproduce --help", "names")),
-        ("parameter" | "params", Subject::Named(name)) => {
-            (format!("a parameter of {name}"), format!("`forage list {name}` shows its parameters"))
+        ("scene", _) => (
+            message!("shell-no-shipped-scene", "{value} is not a shipped scene", value),
+            message!("shell-all-shipped-scenes", "`forage list` shows all scenes"),
+        ),
+        ("generator", _) => (
+            message!("shell-no-generator", "{value} is not a generator", value),
+            message!("shell-all-generators", "`forage list` shows all generators"),
+        ),
+        ("STUDY", _) => (
+            message!("shell-no-study", "{value} is not a study", value),
+            message!("shell-all-studies", "`forage study --help` shows all names"),
+        ),
+        ("NAME", _) => (
+            message!("shell-no-reproduction", "{value} is not a reproduction", value),
+            message!("shell-all-reproductions", "`forage reproduce --help` shows all names"),
+        ),
+        ("parameter" | "params", Subject::Named(name)) => (
+            message!("shell-no-parameter-of", "{value} is not a parameter of {name}", value, name),
+            message!("shell-all-parameters", "`forage list {name}` shows its parameters", name),
+        ),
+        ("preset", Subject::Named(name)) => (
+            message!("shell-no-preset-of", "{value} is not a preset of {name}", value, name),
+            message!("shell-all-presets", "`forage list {name}` shows its presets", name),
+        ),
+        ("parameter" | "params", Subject::Unknown) => {
+            (message!("shell-no-parameter", "{value} is not a parameter", value), Message::default())
         }
-        ("preset", Subject::Named(name)) => (format!("a preset of {name}"), format!("`forage list {name}` shows its presets")),
-        ("parameter" | "params", Subject::Unknown) => ("a parameter".to_owned(), String::new()),
-        _ => (format!("a field of `{last}`"), String::new()),
+        _ => (message!("shell-no-field-of", "{value} is not a field of `{last}`", value, last), Message::default()),
     }
 }
 

@@ -1,11 +1,12 @@
 //! Everything that is printed goes through here.
 
 use std::{
-    fmt::Write as _,
+    fmt::{Display, Write as _},
     io::{self, Write},
     process::ExitCode,
 };
 
+use forage::kernel::message::in_english;
 use serde::Serialize;
 
 use super::{
@@ -23,9 +24,9 @@ pub(super) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     print_raw(json(value)?.as_bytes())
 }
 
-/// A value as indented JSON, NaN as null, in which characters that a terminal would act on are written `\u009b`.
+/// A value as indented JSON, in English, NaN as null, in which characters that a terminal would act on are written `\u009b`.
 fn json(value: &impl Serialize) -> Result<String, Failure> {
-    let json = serde_json::to_string_pretty(value).map_err(|error| Failure::File("standard output".to_owned(), error.into()))?;
+    let json = in_english(|| serde_json::to_string_pretty(value)).map_err(|error| Failure::output(error.into()))?;
     let mut safe = String::with_capacity(json.len());
     for character in json.chars() {
         // Control characters below U+0020 are escaped in texts already; the line breaks between them stay. None of the others needs two
@@ -47,23 +48,23 @@ pub(super) fn print_raw(bytes: &[u8]) -> Result<(), Failure> {
     match written {
         // The reader has gone away, as in `forage list | head`.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        written => written.map_err(|error| Failure::File("standard output".to_owned(), error)),
+        written => written.map_err(Failure::output),
     }
 }
 
 /// Prints a line for people to standard error; nobody need be there to read it.
-pub(super) fn note(text: &str) {
-    let _ = writeln!(io::stderr(), "forage: {}", text::escape(text));
+pub(super) fn note(said: impl Display) {
+    let _ = writeln!(io::stderr(), "forage: {}", text::escape(&said.to_string()));
 }
 
 /// Prints several of them.
-pub(super) fn notes<T: ToString>(texts: &[T]) {
-    texts.iter().for_each(|text| note(&text.to_string()));
+pub(super) fn notes<T: Display>(texts: &[T]) {
+    texts.iter().for_each(note);
 }
 
 /// Prints why a command failed on standard error and returns the exit code.
 pub(super) fn report(failure: &Failure) -> ExitCode {
-    note(&failure.message());
+    note(failure.message());
     ExitCode::from(failure.code())
 }
 

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use forage::message;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::text::shorten;
@@ -9,7 +10,15 @@ use super::text::shorten;
 /// A bar on standard error, shown only on a terminal.
 pub(super) fn bar(name: &str) -> ProgressBar {
     let bar = ProgressBar::no_length().with_message(shorten(name, 30));
-    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent} %, {eta} left") {
+    let template = message!(
+        "shell-progress",
+        "{name} {bar} {percent} %, {time} left",
+        name = "{msg}",
+        bar = "{wide_bar}",
+        percent = "{percent}",
+        time = "{eta}"
+    );
+    if let Ok(style) = ProgressStyle::with_template(&template.text()) {
         bar.set_style(style);
     }
     bar.enable_steady_tick(Duration::from_millis(500));

@@ -2,6 +2,7 @@
 
 use std::{fs, path::Path, process::ExitCode, sync::atomic::AtomicBool, time::Duration};
 
+use forage::{kernel::message::in_english, message};
 use forage_study::{
     document,
     fingerprints::{self, Fingerprints},
@@ -17,8 +18,10 @@ use super::{
     failure::{Failure, Outcome},
     files::{self, LARGEST_SCENE},
     interrupt,
+    language::said,
     output::{note, print, print_json},
     progress,
+    text::all_of,
 };
 
 pub(super) fn reproduce(args: ReproduceArgs) -> Outcome {
@@ -51,11 +54,11 @@ pub(super) fn reproduce(args: ReproduceArgs) -> Outcome {
     // The two folders may be the same: compare before writing.
     let rows = Fingerprints::of_kept(&jobs(&all(), &options)?, &options.out)?;
     let differences = args.check.map(|folder| document::differences(&reports, &rows, &folder)).transpose()?;
-    document::write(&reports, &rows, &options)?;
+    in_english(|| document::write(&reports, &rows, &options))?;
     let Some(differences) = differences else { return Ok(ExitCode::SUCCESS) };
     differences.iter().for_each(|difference| difference.lines().for_each(note));
     if differences.is_empty() {
-        note(&format!("{} are unchanged", document::FILES.join(" and ")));
+        note(message!("shell-unchanged", "{files} are unchanged", files = all_of(&document::FILES)));
     }
     Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
@@ -79,11 +82,11 @@ fn options(args: StudyOptions) -> Options {
 fn carry_out(study: &Study, options: &Options, stop: &AtomicBool, json: bool) -> Result<Report, Failure> {
     let bar = progress::bar(study.name);
     let show = |done, total| progress::show(&bar, done, total);
-    let report = (study.run)(options, &Control { stop, progress: &show });
+    let report = in_english(|| (study.run)(options, &Control { stop, progress: &show }));
     bar.finish_and_clear();
     let report = report?;
     if !json {
-        print(&format!("{}\n", report.text()))?;
+        print(&format!("{}\n", report.text(&said)))?;
     }
     Ok(report)
 }
@@ -107,7 +110,7 @@ fn check_rows(folder: &Path) -> Result<(), Failure> {
 fn sample(seed: &str, folder: &Path, time: Duration, options: &Options, stop: &AtomicBool, json: bool) -> Outcome {
     let stored = Fingerprints::read(folder)?;
     let lists = jobs(&all(), options)?;
-    let bar = progress::bar("sample");
+    let bar = progress::bar(&message!("shell-sample", "sample").text());
     let show = |done, total| progress::show(&bar, done, total);
     let sampled = fingerprints::sample(&lists, options.threads, &stored, seed, time, &Control { stop, progress: &show });
     bar.finish_and_clear();
@@ -115,14 +118,26 @@ fn sample(seed: &str, folder: &Path, time: Duration, options: &Options, stop: &A
     if json {
         print_json(&sampled)?;
     } else {
-        let mut lines: Vec<String> = sampled.compared.iter().map(|(file, compared)| format!("{compared:>6} rows of {file}")).collect();
+        let count = |compared: usize| format!("{compared:>6}");
+        let of_file = |(&file, &compared): (&&str, &usize)| {
+            message!("shell-rows-compared", "{count} rows of {file}", count = count(compared), file).to_string()
+        };
+        let mut lines: Vec<String> = sampled.compared.iter().map(of_file).collect();
         let compared: usize = sampled.compared.values().sum();
-        let (total, different) = (sampled.total, sampled.differences.len());
-        lines.push(format!("{compared:>6} rows of {total} compared with {}, {different} differ", fingerprints::FILE));
+        let all = message!(
+            "shell-all-rows-compared",
+            "{count} rows of {total} compared with {file}, {different} differ",
+            count = count(compared),
+            total = sampled.total,
+            file = fingerprints::FILE,
+            different = sampled.differences.len()
+        );
+        lines.push(all.to_string());
         print(&lines.join("\n"))?;
     }
     for difference in &sampled.differences {
-        note(&format!("the row `{}` of {} differs from the stored one", difference.key, difference.file));
+        let (row, file) = (&difference.key, &difference.file);
+        note(message!("shell-row-differs", "the row `{row}` of {file} differs from the stored one", row, file));
     }
     Ok(if sampled.differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

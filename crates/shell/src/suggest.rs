@@ -2,11 +2,12 @@
 
 use std::process::ExitCode;
 
-use forage::{Overrides, Setup, describe::Suggestion};
+use forage::{Overrides, Setup, describe::Suggestion, message};
 
 use super::{
     args::SuggestArgs,
     failure::Outcome,
+    language::{say, say_numbered},
     load,
     output::{print, print_json},
     registry::registry,
@@ -22,11 +23,18 @@ pub(super) fn suggest(args: SuggestArgs) -> Outcome {
         print_json(&suggested)?;
     } else {
         let Suggestion { population, iterations, source } = suggested;
-        print(&format!(
-            "{title} on {}: population {population}, iterations {iterations}; recommended by {source}\n`forage run {} … --suggested` uses them",
-            escape(setup.scene.name()),
-            setup.planner
-        ))?;
+        let title = say(title, &format!("planners.{}.title", setup.planner));
+        let recommended = message!(
+            "shell-recommended",
+            "{title} on {scene}: population {population}, iterations {iterations}; recommended by {source}",
+            title,
+            scene = escape(setup.scene.name()),
+            population,
+            iterations,
+            source = say_numbered(source)
+        );
+        let uses = message!("shell-uses-them", "`forage run {planner} … --suggested` uses them", planner = setup.planner);
+        print(&format!("{recommended}\n{uses}"))?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,7 +1,6 @@
 //! Text for people: escaped control characters, shortened values, rounded numbers, wrapped lines.
 
-use std::fmt::Write;
-
+use forage::message;
 use unicode_linebreak::linebreaks;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
@@ -31,24 +30,44 @@ pub(super) fn shorten(text: &str, most: usize) -> String {
 
 /// A value between backquotes, shortened.
 pub(super) fn quoted(text: &str) -> String {
-    if text.is_empty() { "an empty text".to_owned() } else { format!("`{}`", shorten(text, 70)) }
+    if text.is_empty() { message!("shell-empty-text", "an empty text").to_string() } else { format!("`{}`", shorten(text, 70)) }
+}
+
+/// Names with commas between.
+pub(super) fn listed<T: AsRef<str>>(names: &[T]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    names.join(&message!("shell-comma", ", ").text())
+}
+
+/// Names between backquotes, of which one is meant.
+pub(super) fn either<T: AsRef<str>>(names: &[T]) -> String {
+    let names = names.iter().map(|name| format!("`{}`", name.as_ref()));
+    names.reduce(|first, second| message!("shell-or", "{first} or {second}", first, second).to_string()).unwrap_or_default()
+}
+
+/// Names that are written, each between backquotes.
+pub(super) fn together(names: &[String]) -> String {
+    all_of(&names.iter().map(|name| quoted(name)).collect::<Vec<_>>())
+}
+
+/// Names with "and" between.
+pub(super) fn all_of<T: AsRef<str>>(names: &[T]) -> String {
+    let names = names.iter().map(|name| name.as_ref().to_owned());
+    names.reduce(|first, second| message!("shell-and", "{first} and {second}", first, second).to_string()).unwrap_or_default()
 }
 
 /// A list of names with at most about `most` characters; what does not fit is counted.
 pub(super) fn cut_list(names: &[&str], most: usize) -> String {
-    let mut text = String::new();
-    for (k, name) in names.iter().enumerate() {
+    let mut kept: Vec<String> = Vec::new();
+    for name in names {
         let name = shorten(name, 40);
-        if k > 0 && text.chars().count() + name.chars().count() + 2 > most {
-            let _ = write!(text, ", … {} more", names.len() - k);
-            break;
+        if !kept.is_empty() && listed(&kept).chars().count() + name.chars().count() + 2 > most {
+            let more = names.len() - kept.len();
+            return message!("shell-more-names", "{names}, … {more} more", names = listed(&kept), more).to_string();
         }
-        if k > 0 {
-            text.push_str(", ");
-        }
-        text.push_str(&name);
+        kept.push(name);
     }
-    text
+    listed(&kept)
 }
 
 /// A number with four significant digits.

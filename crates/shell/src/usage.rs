@@ -7,11 +7,13 @@ use clap::{
     error::{ContextKind, ContextValue, Error, ErrorKind},
 };
 
+use forage::{kernel::Message, message};
+
 use super::{
     args::Cli,
     failure::Failure,
     names, output,
-    text::{quoted, shorten},
+    text::{listed, quoted, shorten},
 };
 
 /// Prints help or version, or the message about what is wrong.
@@ -25,8 +27,7 @@ pub(super) fn report(error: &Error) -> ExitCode {
 }
 
 /// What is wrong, what may have been meant, and where help is.
-fn message(error: &Error) -> String {
-    let problem = problem(error);
+fn message(error: &Error) -> Message {
     let similar = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];
     let mut similar: Vec<String> = similar.iter().flat_map(|&kind| texts(error, kind)).collect();
     if similar.is_empty() {
@@ -35,49 +36,73 @@ fn message(error: &Error) -> String {
         let typed = texts(error, ContextKind::InvalidSubcommand);
         similar.extend(typed.iter().flat_map(|typed| names::nearest(typed, &commands)).map(str::to_owned));
     }
-    let similar: Vec<String> = similar.iter().map(|name| format!("`{name}`")).collect();
-    let similar = if similar.is_empty() { String::new() } else { format!("; did you mean {}?", similar.join(" or ")) };
-    let between = if similar.is_empty() { ";" } else { "" };
-    format!("{problem}{similar}{between} `{} --help` shows how to use it", command(error))
+    let help = message!("shell-help-shows", "`{command} --help` shows how to use it", command = command(error));
+    let problem = problem(error);
+    if similar.is_empty() { names::hinted(&problem, &help) } else { names::meant(&problem, &similar).then(help) }
 }
 
-fn problem(error: &Error) -> String {
-    let text = |kind| texts(error, kind).first().map_or(String::new(), |text| shorten(text, 70));
-    let typed = text(ContextKind::InvalidArg);
-    let arg = plain(&typed);
-    let value = text(ContextKind::InvalidValue);
+fn problem(error: &Error) -> Message {
+    let typed = text(error, ContextKind::InvalidArg);
     match error.kind() {
-        ErrorKind::InvalidSubcommand => format!("{} is not a command", quoted(&texts(error, ContextKind::InvalidSubcommand).concat())),
-        ErrorKind::MissingSubcommand => "a command is missing".to_owned(),
-        ErrorKind::UnknownArgument if typed.starts_with('-') => format!("`{typed}` is not an option"),
-        ErrorKind::UnknownArgument => format!("{} is one argument too many", quoted(&typed)),
+        ErrorKind::InvalidSubcommand => {
+            let name = quoted(&texts(error, ContextKind::InvalidSubcommand).concat());
+            message!("shell-no-command", "{name} is not a command", name)
+        }
+        ErrorKind::MissingSubcommand => message!("shell-command-missing", "a command is missing"),
+        ErrorKind::UnknownArgument if typed.starts_with('-') => message!("shell-no-option", "`{typed}` is not an option", typed),
+        ErrorKind::UnknownArgument => message!("shell-argument-too-many", "{argument} is one argument too many", argument = quoted(&typed)),
         ErrorKind::MissingRequiredArgument => {
             let missing = texts(error, ContextKind::InvalidArg);
-            format!("{} {} missing", list(&missing), if missing.len() > 1 { "are" } else { "is" })
+            let (names, are) = (quoted_names(&missing), missing.len());
+            message!("shell-missing", "{names} {are} missing", names, are => "is" | "are")
         }
-        ErrorKind::ArgumentConflict => match texts(error, ContextKind::PriorArg).as_slice() {
-            [] => format!("`{arg}` must be the only argument"),
-            [other] if plain(other) == arg => format!("`{arg}` is given twice"),
-            others => format!("`{arg}` cannot be used with {}", list(others)),
-        },
-        ErrorKind::InvalidValue if value.is_empty() => format!("`{arg}` needs a value"),
-        ErrorKind::InvalidValue => {
-            format!("`{arg}` is {value}; it must be one of {}", texts(error, ContextKind::ValidValue).join(", "))
+        ErrorKind::ArgumentConflict => conflict(error, &plain(&typed)),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => refused_value(error, &plain(&typed)),
+        ErrorKind::TooManyValues => {
+            let (arg, value) = (plain(&typed), quoted(&text(error, ContextKind::InvalidValue)));
+            message!("shell-value-too-many", "`{arg}` has a value too many: {value}", arg, value)
         }
-        ErrorKind::ValueValidation => {
-            let why = std::error::Error::source(error).map_or(String::new(), ToString::to_string);
-            let value = if value.is_empty() { "empty" } else { &value };
-            format!("`{arg}` is {value}; {}", shorten(&why, 100))
-        }
-        ErrorKind::TooManyValues => format!("`{arg}` has a value too many: {}", quoted(&value)),
         ErrorKind::InvalidUtf8 => not_utf8(),
-        other => other.to_string(),
+        other => Message::verbatim(other.to_string()),
     }
 }
 
-fn list(names: &[String]) -> String {
-    let names: Vec<String> = names.iter().map(|name| quoted(&plain(name))).collect();
-    names.join(", ")
+/// Arguments that exclude each other.
+fn conflict(error: &Error, arg: &str) -> Message {
+    match texts(error, ContextKind::PriorArg).as_slice() {
+        [] => message!("shell-only-argument", "`{arg}` must be the only argument", arg),
+        [other] if plain(other) == arg => message!("shell-given-twice", "`{arg}` is given twice", arg),
+        others => message!("shell-cannot-be-used-with", "`{arg}` cannot be used with {others}", arg, others = quoted_names(others)),
+    }
+}
+
+/// An argument with a value that is not allowed, or without one.
+fn refused_value(error: &Error, arg: &str) -> Message {
+    let value = text(error, ContextKind::InvalidValue);
+    if error.kind() == ErrorKind::InvalidValue {
+        let names = listed(&texts(error, ContextKind::ValidValue));
+        return if value.is_empty() {
+            message!("shell-needs-a-value", "`{arg}` needs a value", arg)
+        } else {
+            message!("shell-not-one-of", "`{arg}` is {value}; it must be one of {names}", arg, value, names)
+        };
+    }
+    let why = std::error::Error::source(error).map_or(String::new(), ToString::to_string);
+    let why = shorten(&why, 100);
+    if value.is_empty() {
+        message!("shell-empty-value", "`{arg}` is empty; {why}", arg, why)
+    } else {
+        message!("shell-wrong-value", "`{arg}` is {value}; {why}", arg, value, why)
+    }
+}
+
+fn quoted_names(names: &[String]) -> String {
+    listed(&names.iter().map(|name| quoted(&plain(name))).collect::<Vec<_>>())
+}
+
+/// The first of what clap says of a kind, shortened.
+fn text(error: &Error, kind: ContextKind) -> String {
+    texts(error, kind).first().map_or(String::new(), |text| shorten(text, 70))
 }
 
 /// An argument without the signs of a usage line: `--scene <FILE>` is `--scene`, `[NAME]` is `NAME`.
@@ -87,10 +112,10 @@ fn plain(arg: &str) -> String {
 }
 
 /// Which argument is not UTF-8. File names that are only written or opened may be anything.
-fn not_utf8() -> String {
+fn not_utf8() -> Message {
     let typed: Vec<OsString> = std::env::args_os().skip(1).collect();
     let command = Cli::command();
-    let subcommand = typed.first().and_then(|name| command.find_subcommand(name)).unwrap_or(&command);
+    let subcommand = typed.iter().find_map(|name| command.find_subcommand(name)).unwrap_or(&command);
     let is_path = |arg: &Arg| arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
     let option = |name: &str| {
         let long = name.strip_prefix("--")?;
@@ -102,12 +127,14 @@ fn not_utf8() -> String {
         let (name, value) = text.split_once('=').filter(|(name, _)| name.starts_with("--")).unwrap_or((&before, &text));
         match option(name) {
             Some(arg) if is_path(arg) => {}
-            Some(_) => return format!("`{name}` is {}; it must be valid UTF-8", shorten(value, 70)),
+            Some(_) => {
+                return message!("shell-value-not-utf8", "`{name}` is {value}; it must be valid UTF-8", name, value = shorten(value, 70));
+            }
             None if subcommand.get_positionals().any(is_path) && !text.starts_with('-') => {}
-            None => return format!("the argument {} is not valid UTF-8", quoted(&text)),
+            None => return message!("shell-argument-not-utf8", "the argument {argument} is not valid UTF-8", argument = quoted(&text)),
         }
     }
-    "an argument is not valid UTF-8".to_owned()
+    message!("shell-some-argument-not-utf8", "an argument is not valid UTF-8")
 }
 
 fn texts(error: &Error, kind: ContextKind) -> Vec<String> {
@@ -129,7 +156,7 @@ fn command(error: &Error) -> String {
     if !names.is_empty() {
         return names.join(" ");
     }
-    let typed = std::env::args_os().nth(1).unwrap_or_default().to_string_lossy().into_owned();
-    let command = Cli::command().get_subcommands().map(|command| command.get_name().to_owned()).find(|name| *name == typed);
-    command.map_or_else(|| "forage".to_owned(), |name| format!("forage {name}"))
+    let command = Cli::command();
+    let typed = std::env::args_os().skip(1).find_map(|typed| command.find_subcommand(typed).map(|command| command.get_name().to_owned()));
+    typed.map_or_else(|| "forage".to_owned(), |name| format!("forage {name}"))
 }

@@ -25,7 +25,7 @@ use super::{
     rows::KeyedRow,
     runner::{self, Control, Job},
     study::Study,
-    table::{Cell, Table},
+    table::{Cell, Table, Title},
 };
 
 /// Seeds a planner unless told otherwise. The papers do not say how many runs their figures stand for.
@@ -207,7 +207,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub fn new(scene: &'a Arc<Scene>, name: &str, title: impl Into<String>) -> Self {
+    pub fn new(scene: &'a Arc<Scene>, name: &str, title: impl Title) -> Self {
         Self { scene, table: Table::new(name, title, &COLUMNS) }
     }
 

@@ -7,6 +7,8 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use forage::message;
+
 use super::{
     claims,
     escape::path_text,
@@ -227,9 +229,12 @@ pub fn differences(reports: &[Report], rows: &Fingerprints, folder: &Path) -> Re
         let then = fs::read_to_string(&kept).map_err(at(&kept))?;
         let mut lines = now.lines().zip(then.lines()).enumerate();
         if let Some((k, (now, then))) = lines.find(|(_, (now, then))| now != then) {
-            different.push(format!("{} differs in line {}:\n  now   {now}\n  there {then}", path_text(&kept), k + 1));
+            let place = message!("study-differs-in-line", "{file} differs in line {line}:", file = path_text(&kept), line = k + 1);
+            let (now, there) = (message!("study-line-now", "now   {now}", now), message!("study-line-there", "there {then}", then));
+            different.push(format!("{place}\n  {now}\n  {there}"));
         } else if now != then {
-            different.push(format!("{} has {} lines instead of {}", path_text(&kept), then.lines().count(), now.lines().count()));
+            let (file, then, now) = (path_text(&kept), then.lines().count(), now.lines().count());
+            different.push(message!("study-lines-differ", "{file} has {then} lines instead of {now}", file, then, now).to_string());
         }
     }
     Ok(different)

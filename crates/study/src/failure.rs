@@ -5,7 +5,10 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use forage::kernel::Error;
+use forage::{
+    kernel::{Error, Message},
+    message,
+};
 
 use super::escape::path_text;
 
@@ -35,16 +38,31 @@ impl From<Error> for Failure {
     }
 }
 
+impl Failure {
+    /// What it says.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Refused(error) => error.message(),
+            Self::File(path, error) => {
+                message!("study-file", "{file}: {problem}", file = path_text(path), problem = error.to_string())
+            }
+            Self::ComparisonInterrupted(rows) => {
+                message!("study-comparison-interrupted", "interrupted after {rows} rows were compared; nothing is kept", rows)
+            }
+            Self::Interrupted { done, total, rows } => message!(
+                "study-interrupted",
+                "interrupted; {done} of {total} rows are kept in {rows}, the same command goes on from there",
+                done,
+                total,
+                rows = path_text(rows)
+            ),
+        }
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Refused(error) => error.fmt(f),
-            Self::File(path, error) => write!(f, "{}: {error}", path_text(path)),
-            Self::ComparisonInterrupted(rows) => write!(f, "interrupted after {rows} rows were compared; nothing is kept"),
-            Self::Interrupted { done, total, rows } => {
-                write!(f, "interrupted; {done} of {total} rows are kept in {}, the same command goes on from there", path_text(rows))
-            }
-        }
+        self.message().fmt(f)
     }
 }
 

@@ -7,6 +7,8 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use forage::{kernel::Message, message};
+
 use super::failure::{Failure, at};
 
 /// So many links are followed, as the system does.
@@ -55,14 +57,21 @@ fn is_linked(_: &Path, _: &Path) -> bool {
 }
 
 /// Refuses what somebody else is writing. Where files cannot be locked at all, that should be known.
-pub(crate) fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<Option<String>, Failure> {
+pub(crate) fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<Option<Message>, Failure> {
     match outcome {
         Ok(()) => Ok(None),
         Err(TryLockError::WouldBlock) => {
-            Err(at(path)(io::Error::new(io::ErrorKind::WouldBlock, "another `forage` is writing it; nobody else can meanwhile")))
+            let said = message!("study-locked", "another `forage` is writing it; nobody else can meanwhile");
+            Err(at(path)(io::Error::new(io::ErrorKind::WouldBlock, said.to_string())))
         }
         Err(TryLockError::Error(problem)) => {
-            Ok(Some(format!("{}: it cannot be locked ({problem}); let nothing else write it meanwhile", path.display())))
+            let (file, problem) = (path.display().to_string(), problem.to_string());
+            Ok(Some(message!(
+                "study-not-lockable",
+                "{file}: it cannot be locked ({problem}); let nothing else write it meanwhile",
+                file,
+                problem
+            )))
         }
     }
 }
@@ -95,7 +104,7 @@ mod tests {
         let path = Path::new("rows.csv");
         assert!(matches!(locked(Ok(()), path), Ok(None)));
         let none = io::Error::from(io::ErrorKind::Unsupported);
-        let told = locked(Err(TryLockError::Error(none)), path).unwrap().unwrap();
+        let told = locked(Err(TryLockError::Error(none)), path).unwrap().unwrap().to_string();
         assert!(told.starts_with("rows.csv: it cannot be locked") && told.contains("let nothing else write"), "{told}");
         let refused = locked(Err(TryLockError::WouldBlock), path).unwrap_err().to_string();
         assert!(refused.contains("another `forage` is writing it"), "{refused}");

@@ -12,8 +12,10 @@ use std::{
     time::Duration,
 };
 
-use forage::kernel::Message;
-use forage::kernel::{Digest, Error};
+use forage::{
+    kernel::{Digest, Error, Message},
+    message,
+};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -74,9 +76,11 @@ impl<J: Job> AnyJobs for Vec<J> {
         let rows: BTreeMap<String, J::Row> = rows.into_iter().map(|row| (row.key(), row)).collect();
         let of = |job: &J| match rows.get(&job.key()) {
             Some(row) => fingerprint(row),
-            None => {
-                Err(Error::malformed(&file.display().to_string(), Message::verbatim(format!("the row `{}` is missing", job.key()))).into())
-            }
+            None => Err(Error::malformed(
+                &file.display().to_string(),
+                message!("study-row-missing", "the row `{row}` is missing", row = job.key()),
+            )
+            .into()),
         };
         self.iter().map(of).collect()
     }
@@ -179,9 +183,14 @@ pub fn sample(
     for (k, list) in lists.iter().enumerate() {
         let expected = stored.of_file(list.file);
         if expected.len() != list.jobs.count() {
-            let problem =
-                format!("{} has {} fingerprints for {} rows; `forage reproduce` writes it", list.file, expected.len(), list.jobs.count());
-            return Err(Error::malformed(FILE, Message::verbatim(problem)).into());
+            let problem = message!(
+                "study-fingerprints",
+                "{file} has {found} fingerprints for {rows} rows; `forage reproduce` writes it",
+                file = list.file,
+                found = expected.len(),
+                rows = list.jobs.count()
+            );
+            return Err(Error::malformed(FILE, problem).into());
         }
         let before: usize = sampled.compared.values().sum();
         let (compared, different) = sample_list(list, &expected, seed, share, &pool, control).map_err(|failure| match failure {

@@ -55,3 +55,4 @@ pub mod wcpso;
 mod within;
 pub mod wolf;
 pub mod wolf_dynamic;
+pub mod words;

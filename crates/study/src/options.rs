@@ -2,10 +2,7 @@
 
 use std::path::PathBuf;
 
-use forage::{
-    Setup,
-    kernel::{Error, Message},
-};
+use forage::{Setup, kernel::Error, message};
 
 /// How an experiment is carried out.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +24,11 @@ impl Options {
     /// Fewer than two, which have no standard deviation, or more than there is time for.
     pub fn runs_or(&self, published: u64) -> Result<u64, Error> {
         let runs = self.runs.unwrap_or(published);
-        if (2..=1_000_000).contains(&runs) { Ok(runs) } else { Err(Error::refused("runs", runs, Message::verbatim("from 2 to 1000000"))) }
+        if (2..=1_000_000).contains(&runs) {
+            Ok(runs)
+        } else {
+            Err(Error::refused("runs", runs, message!("error-from-to", "from {min} to {max}", min = 2_u64, max = 1_000_000_u64)))
+        }
     }
 }
 

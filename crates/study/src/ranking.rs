@@ -102,7 +102,8 @@ mod tests {
         let table = ranking.table("problems").unwrap();
         let rows: Vec<String> = table.rows.iter().map(|row| format!("{:?} {:?}", row[0], row[2])).collect();
         assert_eq!(rows, [r#"Text("good") Text("a")"#, r#"Text("better") Text("a")"#, r#"Text("worst") Text("")"#]);
-        assert!(table.title.contains("over 30 problems") && table.title.contains("from 0.605 on"), "{}", table.title);
+        let title = table.title.to_string();
+        assert!(title.contains("over 30 problems") && title.contains("from 0.605 on"), "{title}");
         assert!(Ranking { planners: vec!["one".into()], costs: vec![vec![Some(1.0)]] }.table("problems").is_none());
     }
 }

@@ -223,7 +223,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().to_owned();
         let report = report(&rows, 100, &Options { out: out.clone(), threads: None, runs: None, fresh: false }).unwrap();
-        let text = report.text();
+        let text = report.text(&crate::table::as_it_is);
         for part in ["2.0000  (2.00, 2.00)", "(1.62, 1.82)", "-1.8788", "0 of 1, others need N M > 20000", "seed 1 "] {
             assert!(text.contains(part), "{part}: {text}");
         }

@@ -11,8 +11,10 @@ use std::{
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use forage::kernel::Error;
-use forage::kernel::Message;
+use forage::{
+    kernel::{Error, Message},
+    message,
+};
 
 use super::{
     failure::{Failure, at},
@@ -62,8 +64,13 @@ impl<R: KeyedRow> Rows<R> {
         let size = file.metadata().map_err(at(path))?.len();
         if size > LARGEST {
             let [found, most] = [size, LARGEST].map(|bytes| bytes as f64 / f64::from(1 << 30));
-            let problem = format!("it has {found:.1} GiB; a file of rows may have at most {most} GiB; --fresh starts over");
-            return Err(Error::malformed(&path.display().to_string(), Message::verbatim(problem)).into());
+            let problem = message!(
+                "study-rows-too-large",
+                "it has {found:.1} GiB; a file of rows may have at most {most} GiB; --fresh starts over",
+                found,
+                most
+            );
+            return Err(Error::malformed(&path.display().to_string(), problem).into());
         }
         let mut bytes = Vec::new();
         Read::by_ref(&mut file).take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
@@ -72,7 +79,10 @@ impl<R: KeyedRow> Rows<R> {
             file.set_len(whole as u64).map_err(at(path))?;
         }
         let kept = csv::Reader::from_reader(&bytes[..whole]).deserialize().collect::<Result<Vec<R>, _>>().map_err(|problem| {
-            Error::malformed(&path.display().to_string(), Message::verbatim(format!("{problem}; --fresh starts over")))
+            Error::malformed(
+                &path.display().to_string(),
+                message!("study-fresh", "{problem}; --fresh starts over", problem = problem.to_string()),
+            )
         })?;
         Ok(Self { path: path.to_owned(), file, headed: whole > 0, kept })
     }
@@ -121,7 +131,7 @@ impl<R: KeyedRow> Rows<R> {
 ///
 /// # Errors
 /// A file that cannot be read or written, or that another program is writing.
-pub fn repair<R: KeyedRow>(path: &Path) -> Result<Option<String>, Failure> {
+pub fn repair<R: KeyedRow>(path: &Path) -> Result<Option<Message>, Failure> {
     let Ok(mut file) = File::open(path) else { return Ok(None) };
     locked(file.try_lock(), path)?;
     // What is too large is refused as a whole.
@@ -145,8 +155,15 @@ pub fn repair<R: KeyedRow>(path: &Path) -> Result<Option<String>, Failure> {
     fs::write(&bad, &bytes).map_err(at(&bad))?;
     fs::write(&new, lines(&rows, true).map_err(at(&new))?).map_err(at(&new))?;
     fs::rename(&new, path).map_err(at(path))?;
-    let [path, bad] = [path, &bad].map(|path| path.display());
-    Ok(Some(format!("damaged lines in {path}: {}; their runs are repeated, and the file as it was is {bad}", lines_read - rows.len())))
+    let [path, bad] = [path, &bad].map(|path| path.display().to_string());
+    let lines = lines_read - rows.len();
+    Ok(Some(message!(
+        "study-damaged-lines",
+        "damaged lines in {path}: {lines}; their runs are repeated, and the file as it was is {bad}",
+        path,
+        lines,
+        bad
+    )))
 }
 
 /// A row as a line of the file.

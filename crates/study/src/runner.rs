@@ -11,8 +11,10 @@ use std::{
 
 use rayon::iter::{ParallelBridge, ParallelIterator};
 
-use forage::kernel::Error;
-use forage::kernel::Message;
+use forage::{
+    kernel::{Error, Message},
+    message,
+};
 
 use super::{
     failure::Failure,
@@ -159,8 +161,12 @@ fn check<J: Job>(jobs: &[J], done: &[Option<J::Row>], file: &Path, stop: &Atomic
     let Some((job, row)) = kept.min_by_key(|(job, _)| job.weight()) else { return Ok(()) };
     match job.run(stop)? {
         Some(again) if row.computed() != again.computed() => {
-            let problem = format!("the row `{}` comes from another version of forage; --fresh starts over", job.key());
-            Err(Error::malformed(&file.display().to_string(), Message::verbatim(problem)).into())
+            let problem = message!(
+                "study-row-of-another-version",
+                "the row `{row}` comes from another version of forage; --fresh starts over",
+                row = job.key()
+            );
+            Err(Error::malformed(&file.display().to_string(), problem).into())
         }
         _ => Ok(()),
     }

@@ -1,5 +1,6 @@
 //! Tables: as text, Markdown, CSV and JSON.
 
+use forage::kernel::{Message, message::in_english};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
 /// What stands in a table.
@@ -100,13 +101,51 @@ pub fn digits(number: f64) -> String {
     text.strip_suffix(".0").map_or_else(|| text.clone(), ToOwned::to_owned)
 }
 
+/// What a table shows: a message, or a text in English.
+pub trait Title {
+    /// It as a message.
+    fn message(self) -> Message;
+}
+
+impl Title for Message {
+    fn message(self) -> Message {
+        self
+    }
+}
+
+impl Title for String {
+    fn message(self) -> Message {
+        Message::verbatim(self)
+    }
+}
+
+impl Title for &str {
+    fn message(self) -> Message {
+        Message::verbatim(self)
+    }
+}
+
+/// How a text is said.
+pub type Say<'a> = &'a dyn Fn(&str) -> String;
+
+/// As it is, in English.
+pub fn as_it_is(text: &str) -> String {
+    text.to_owned()
+}
+
+/// How many columns of a terminal a text takes: Han takes two for each character.
+fn wide(text: &str) -> usize {
+    let han = |c: char| matches!(c, '\u{2e80}'..='\u{9fff}' | '\u{f900}'..='\u{faff}' | '\u{ff00}'..='\u{ff60}');
+    text.chars().map(|c| if han(c) { 2 } else { 1 }).sum()
+}
+
 /// Named columns and rows of as many cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// An identifier.
     pub name: String,
     /// What it shows.
-    pub title: String,
+    pub title: Message,
     /// The columns' names.
     pub columns: Vec<String>,
     /// The rows.
@@ -115,47 +154,47 @@ pub struct Table {
 
 impl Table {
     /// Without rows yet.
-    pub fn new(name: impl Into<String>, title: impl Into<String>, columns: &[&str]) -> Self {
-        Self { name: name.into(), title: title.into(), columns: columns.iter().map(|&name| name.to_owned()).collect(), rows: Vec::new() }
+    pub fn new(name: impl Into<String>, title: impl Title, columns: &[&str]) -> Self {
+        Self { name: name.into(), title: title.message(), columns: columns.iter().map(|&name| name.to_owned()).collect(), rows: Vec::new() }
     }
 
-    fn widths(&self, shown: &[Vec<String>]) -> Vec<usize> {
-        let width = |text: &String| text.chars().count();
-        (0..self.columns.len())
-            .map(|j| shown.iter().map(|row| width(&row[j])).chain([width(&self.columns[j])]).max().unwrap_or(0))
-            .collect()
+    fn widths(columns: &[String], shown: &[Vec<String>]) -> Vec<usize> {
+        (0..columns.len()).map(|j| shown.iter().map(|row| wide(&row[j])).chain([wide(&columns[j])]).max().unwrap_or(0)).collect()
     }
 
     /// A line of cells: texts to the left, numbers to the right.
     fn line(&self, cells: &[String], widths: &[usize], between: &str) -> String {
         let number = |j: usize| self.rows.iter().any(|row| matches!(row[j], Cell::Number(..) | Cell::Significant(..)));
         let pad = |(j, text): (usize, &String)| {
-            let width = widths[j];
-            if number(j) { format!("{text:>width$}") } else { format!("{text:<width$}") }
+            let padding = " ".repeat(widths[j].saturating_sub(wide(text)));
+            if number(j) { padding + text } else { text.clone() + &padding }
         };
         cells.iter().enumerate().map(pad).collect::<Vec<_>>().join(between)
     }
 
-    fn lines(&self, between: &str) -> (String, Vec<usize>, Vec<String>) {
-        let shown: Vec<Vec<String>> = self.rows.iter().map(|row| row.iter().map(Cell::shown).collect()).collect();
-        let widths = self.widths(&shown);
+    fn lines(&self, between: &str, say: Say<'_>) -> (String, Vec<usize>, Vec<String>) {
+        let shown = |cell: &Cell| if matches!(cell, Cell::Text(_)) { say(&cell.shown()) } else { cell.shown() };
+        let shown: Vec<Vec<String>> = self.rows.iter().map(|row| row.iter().map(shown).collect()).collect();
+        let columns: Vec<String> = self.columns.iter().map(|column| say(column)).collect();
+        let widths = Self::widths(&columns, &shown);
         let rows = shown.iter().map(|row| self.line(row, &widths, between)).collect();
-        (self.line(&self.columns, &widths, between), widths, rows)
+        (self.line(&columns, &widths, between), widths, rows)
     }
 
-    /// For a terminal.
-    pub fn text(&self) -> String {
-        let (heading, _, rows) = self.lines("  ");
-        let lines = [self.title.clone(), heading].into_iter().chain(rows);
+    /// For a terminal, in the language that is spoken; `say`: how columns, words in cells and titles that are no messages are said.
+    pub fn text(&self, say: Say<'_>) -> String {
+        let (heading, _, rows) = self.lines("  ", say);
+        let title = if self.title.key().is_empty() { say(&self.title.text()) } else { self.title.to_string() };
+        let lines = [title, heading].into_iter().chain(rows);
         lines.flat_map(|line| [line.trim_end().to_owned(), "\n".to_owned()]).collect()
     }
 
-    /// For a document.
+    /// For a document, in English.
     pub fn markdown(&self) -> String {
-        let (heading, widths, rows) = self.lines(" | ");
+        let (heading, widths, rows) = self.lines(" | ", &as_it_is);
         let rule = widths.iter().map(|&width| "-".repeat(width.max(3))).collect::<Vec<_>>().join(" | ");
         let body: String = [heading, rule].into_iter().chain(rows).flat_map(|line| ["| ".to_owned(), line, " |\n".to_owned()]).collect();
-        format!("**{}**\n\n{body}", self.title)
+        in_english(|| format!("**{}**\n\n{body}", self.title))
     }
 
     /// For other programs, with all digits.
@@ -219,7 +258,7 @@ mod tests {
         let mut table = Table::new("t", "Title", &["who", "x", "y"]);
         table.rows =
             vec![vec!["a".into(), Cell::Number(1.25, 1), Cell::Empty], vec!["bcd, e".into(), Cell::Number(10.0, 1), Cell::whole(3)]];
-        assert_eq!(table.text(), "Title\nwho        x  y\na        1.2\nbcd, e  10.0  3\n");
+        assert_eq!(table.text(&as_it_is), "Title\nwho        x  y\na        1.2\nbcd, e  10.0  3\n");
         assert_eq!(
             table.markdown(),
             "**Title**\n\n| who    |    x | y |\n| ------ | ---- | --- |\n| a      |  1.2 |   |\n| bcd, e | 10.0 | 3 |\n"

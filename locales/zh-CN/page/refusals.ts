@@ -21,7 +21,8 @@ export const refusals: Translated<typeof English.refusals> = {
   key: '`texts` 的键：由小写字母、数字、点和连字符组成',
   tag: '语言标签',
   ownTask: '不应给出：`task.own` 要求为本题编写规划器',
-  language: (value: string, tags: readonly string[]) => `为 ${value}；\`texts\` 中${tags.length > 0 ? `有 ${tags.join('、')}` : '没有语言'}`,
+  language: (value: string, tags: readonly string[]) =>
+    `为 ${value}；\`texts\` 中${tags.length > 0 ? `有 ${tags.join('、')}` : '没有语言'}`,
   noText: (key: string, tag: string) => `为 ${key}；\`texts.${tag}\` 中没有该键的文本`,
   unused: '在课程中未使用',
   twice: (name: string) => `为 ${name}；另一步骤已使用该名称`,

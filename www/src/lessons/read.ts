@@ -35,8 +35,7 @@ export function checkLesson(json: unknown): Lesson {
   checkTexts(lesson)
   checkSteps(lesson.steps)
   checkNumbers(lesson)
-  if (lesson.task?.own && lesson.task.planner !== undefined)
-    throw refuse('task.planner', text.ownTask)
+  if (lesson.task?.own && lesson.task.planner !== undefined) throw refuse('task.planner', text.ownTask)
   return lesson
 }
 
@@ -115,7 +114,8 @@ function checkSteps(steps: readonly Step[]): void {
     const field = `steps[${at}]`
     if (names.has(step.name)) throw refuse(`${field}.name`, text.twice(shown(step.name)))
     names.add(step.name)
-    if (step.from !== undefined && step.from > step.at) throw refuse(`${field}.from`, text.is(String(step.from), text.atMost(String(step.at))))
+    if (step.from !== undefined && step.from > step.at)
+      throw refuse(`${field}.from`, text.is(String(step.from), text.atMost(String(step.at))))
     if (at === 0)
       for (const part of ['planner', 'scene'] as const) if (!step.run?.[part]) throw refuse(`${field}.run.${part}`, text.missing)
     checkQuestion(step, `${field}.question`)
@@ -151,7 +151,6 @@ function checkQuestion({ at, question }: Step, field: string): void {
   for (const [number, option] of question.options.entries()) {
     const events = 'events' in option && option.events !== undefined
     const range = option.from !== undefined || option.to !== undefined
-    if (named ? !events || range : events || !range)
-      throw refuse(`${field}.options[${number}]`, named ? text.needsEvents : text.needsRange)
+    if (named ? !events || range : events || !range) throw refuse(`${field}.options[${number}]`, named ? text.needsEvents : text.needsRange)
   }
 }

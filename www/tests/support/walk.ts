@@ -33,6 +33,8 @@ async function settled(page: Page): Promise<void> {
   await page.waitForTimeout(350)
 }
 
+const climber = template('hill-climber')
+
 const run = (planner: string, scene: string, at = 12, more = ''): string => `#v=1&planner=${planner}&scene=${scene}&seed=1&at=${at}${more}`
 
 /** A run, with one of its pieces explained, the chart, and all of Setup. */
@@ -145,52 +147,153 @@ const lesson = (name: string): View => ({
   },
 })
 
+/** The workshop with a code in its editor. */
+const written = (name: string, code: string, act?: (page: Page) => Promise<void>): View => ({
+  name,
+  async open(page, spoken) {
+    await page.goto('about:blank')
+    await page.goto(`${spoken.site}course.html`)
+    await page.evaluate((text) => localStorage.setItem('forage.workshop.draft', JSON.stringify({ code: text, foreign: false })), code)
+    await opened('#view=workshop')(page, spoken)
+    await page.getByTestId('editor').waitFor()
+    await act?.(page)
+    await unfolded(page)
+  },
+})
+
+/** What is wrong is said. */
+const refused = (name: string, hash: string, act?: (page: Page) => Promise<void>): View => ({
+  name,
+  async open(page, spoken) {
+    await opened(hash)(page, spoken)
+    await act?.(page)
+    await settled(page)
+  },
+})
+
+const file = (name: string, text: string) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })
+const dropped =
+  (name: string, text: string) =>
+  async (page: Page): Promise<void> => {
+    const data = await page.evaluateHandle(
+      ([called, content]) => {
+        const transfer = new DataTransfer()
+        transfer.items.add(new File([content ?? ''], called ?? ''))
+        return transfer
+      },
+      [name, text],
+    )
+    await page.dispatchEvent('[data-testid=app]', 'drop', { dataTransfer: data })
+    await page.waitForTimeout(500)
+  }
+
+const GRID = run('a-star', 'wolf-ant-20')
+
 export const VIEWS: readonly View[] = [
   { name: 'learn', open: opened('#view=learn') },
+  {
+    name: 'glossary',
+    async open(page, spoken) {
+      await opened('#view=learn')(page, spoken)
+      await page.getByTestId('glossary').click()
+      await settled(page)
+    },
+  },
+  { name: 'lesson editor', open: opened('#view=learn&edit=lesson') },
+  refused('lesson file refused', '#view=learn', (page) =>
+    page.getByTestId('open-lesson-file').setInputFiles(file('wrong.json', '{"format": "forage-lesson", "version": 1, "name": "A B"}')),
+  ),
   ...RUNS.flatMap(([planner, scene, item, at]) => runViews(planner, scene, item, at)),
+  refused('link refused', run('psoo', 'sphere')),
+  refused('parameter refused', `${run('pso', 'sphere')}&population=0`),
+  refused('field refused', run('pso', 'sphere', 0, '&page.tab=setup'), async (page) => {
+    await page.getByTestId('seed').fill('-3')
+    await page.getByTestId('seed').press('Enter')
+  }),
+  refused('file refused', GRID, dropped('map.map', 'type octile\nheight 3\nwidth x\nmap\n')),
+  refused('scene file refused', GRID, dropped('scene.json', '{"format": "forage-scene", "version": 1, "kind": "grid", "name": "x"}')),
+  refused('file read', GRID, dropped('places.csv', 'x,y\n1,2\n3,4\n5,1\n')),
+  {
+    name: 'random scene',
+    async open(page, spoken) {
+      await opened(`${GRID}&page.tab=setup`)(page, spoken)
+      await unfolded(page)
+      await page.getByTestId('generate').first().click()
+      await expect(page.getByTestId('generate-dialog')).toBeVisible()
+      await unfolded(page)
+    },
+  },
   dialog('export', 'export'),
   dialog('embed', 'embed'),
   dialog('keys', 'keys'),
   {
+    name: 'presentation',
+    async open(page, spoken) {
+      await opened(run('wcpso', 'wcpso-discs', 30))(page, spoken)
+      await page.keyboard.press('p')
+      await settled(page)
+    },
+  },
+  {
+    name: 'fork',
+    async open(page, spoken) {
+      await opened(run('wcpso', 'wcpso-discs', 30))(page, spoken)
+      await page.getByTestId('seed').fill('5')
+      await page.getByTestId('seed').press('Enter')
+      await settled(page)
+    },
+  },
+  ...['none', 'play', 'full'].map((controls) => ({
+    name: `embed ${controls}`,
+    open: opened(`?embed&controls=${controls}${run('wcpso', 'wcpso-discs', 20)}`),
+  })),
+  { name: 'embedded lesson', open: opened('?embed#lesson=pso') },
+  {
     name: 'compare, watch',
     async open(page, spoken) {
       await opened('#view=compare&as=watch&scene=wcpso-discs&with=wcpso,pso&budget=2000')(page, spoken)
+      await page.getByTestId('race-end').click()
       await unfolded(page)
     },
   },
   {
     name: 'compare, statistics',
     async open(page, spoken) {
-      await opened('#view=compare&as=statistics&scene=wcpso-discs&seeds=1-4&with=wcpso,pso&budget=1000')(page, spoken)
-      await page
-        .getByTestId('batch-run')
-        .click()
-        .catch(() => undefined)
-      await page.waitForTimeout(4000)
+      await opened('#view=compare&as=statistics&scene=wcpso-discs&seeds=1-6&with=wcpso,pso&budget=3000')(page, spoken)
+      await page.getByTestId('batch-run').click()
+      await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-running', 'false', { timeout: 30_000 })
       await unfolded(page)
     },
+  },
+  {
+    name: 'compare, random maps',
+    open: opened('#view=compare&as=statistics&maps=rooms&seeds=1-2&with=a-star,theta-star&budget=own'),
   },
   {
     name: 'papers',
     async open(page, spoken) {
       await opened('#view=papers')(page, spoken)
       await unfolded(page)
-      await unfolded(page)
     },
   },
-  {
-    name: 'workshop',
-    async open(page, spoken) {
-      await opened('#view=workshop')(page, spoken)
-      await unfolded(page)
-    },
-  },
+  { name: 'workshop', open: opened('#view=workshop') },
+  written('code that cannot be read', 'register({ name: "Mine", kinds: ["function"]'),
+  written('code that is refused', 'register({ name: "Mine!", kinds: ["tours"] })'),
+  written('code that runs', climber, async (page) => {
+    await page.getByTestId('run-code').click()
+    await page.waitForTimeout(1500)
+    await page.getByTestId('tab-check').click()
+    await page.getByTestId('check-own').click()
+    await page.waitForTimeout(4000)
+  }),
+  written('code that fails', climber.replace('evaluate(', 'nothing.evaluate('), async (page) => {
+    await page.getByTestId('run-code').click()
+    await page.waitForTimeout(1500)
+  }),
   ...lessonNames.map(lesson),
 ]
 
 export const HOME: Spoken = { tag: 'en', site: SITE }
-export const climber = template('hill-climber')
-
 /** A text that somebody reads, hears or finds under the pointer, and where. */
 export interface Read {
   text: string
@@ -226,5 +329,39 @@ export const read = (page: Page): Promise<Read[]> =>
     }
     walk(document)
     found.push({ text: document.title, where: 'title' })
+    return found
+  })
+
+/** Texts that do not fit where they are, and how far the page is wider than its window. */
+export const cut = (page: Page): Promise<Read[]> =>
+  page.evaluate(() => {
+    const found: { text: string; where: string }[] = []
+    const wide = document.documentElement.scrollWidth - innerWidth
+    if (wide > 0) found.push({ text: `${wide} px`, where: 'the page is too wide' })
+    /** Its text goes on where somebody can scroll, or is there for those who hear it only. */
+    const apart = (element: Element): boolean => {
+      for (let at: Element | null = element; at; at = at.parentElement) {
+        const { overflowX, clipPath, clip } = getComputedStyle(at)
+        if (overflowX === 'auto' || overflowX === 'scroll' || clipPath !== 'none' || clip !== 'auto') return true
+      }
+      return false
+    }
+    for (const element of document.querySelectorAll<HTMLElement>('body *')) {
+      const own = [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim())
+      if (!own || !element.checkVisibility() || element.closest('svg, canvas, .cm-editor, option, .brief, .visually-hidden')) continue
+      const { overflowX } = getComputedStyle(element)
+      const { left, right, width } = element.getBoundingClientRect()
+      // For those who hear it only.
+      if (width <= 1.5) continue
+      const hidden = (overflowX === 'hidden' || overflowX === 'clip') && element.scrollWidth > element.clientWidth + 1
+      const outside = width > 1 && (right > innerWidth + 1 || left < -1)
+      if ((hidden || outside) && !apart(element.parentElement ?? element)) {
+        const { testid } = (element.closest<HTMLElement>('[data-testid]')?.dataset ?? {}) as { testid?: string }
+        found.push({
+          text: (element.textContent ?? '').trim().slice(0, 80),
+          where: `${testid} ${element.tagName.toLowerCase()}.${element.className}`,
+        })
+      }
+    }
     return found
   })

@@ -9,6 +9,7 @@ mod files;
 mod grade;
 mod help;
 mod install;
+mod languages;
 mod list;
 mod outputs;
 mod refusals;

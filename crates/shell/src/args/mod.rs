@@ -94,6 +94,7 @@ pub(super) enum Command {
 }
 
 #[derive(Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is an option")]
 pub(super) struct ListArgs {
     /// A planner, a generator, a shipped scene, `drive` or `motion`: show its page.
     #[arg(value_parser = Offered(names::pages), hide_possible_values = true)]

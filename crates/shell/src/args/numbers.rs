@@ -2,6 +2,8 @@
 
 use std::num::NonZeroUsize;
 
+use forage::{kernel::Message, message};
+
 pub(super) fn threads(text: &str) -> Result<NonZeroUsize, String> {
     let threads = whole_number(text, 1, 1024)?;
     // It is at least 1.
@@ -32,5 +34,11 @@ pub(super) fn whole<const LEAST: u64, const MOST: u64>(text: &str) -> Result<u64
 
 pub(super) fn whole_number(text: &str, least: u64, most: u64) -> Result<u64, String> {
     let number = text.parse().ok().filter(|number| (least..=most).contains(number));
-    number.ok_or_else(|| format!("it must be a whole number from {least} to {most}"))
+    let allowed = || message!("error-whole-from-to", "a whole number from {min} to {max}", min = least.to_string(), max = most.to_string());
+    number.ok_or_else(|| must_be(&allowed()))
+}
+
+/// What an option's value must be.
+pub(super) fn must_be(allowed: &Message) -> String {
+    message!("shell-must-be", "it must be {allowed}", allowed).to_string()
 }

@@ -4,12 +4,12 @@ use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::{Args, Subcommand, ValueHint};
 
-use forage::scene::function::MAX_DIMENSION;
+use forage::{message, scene::function::MAX_DIMENSION};
 use forage_study::bench::{barn, bbob, centre_bias, trees, tsplib};
 
 use super::{
     super::examples,
-    numbers::{many, threads, whole, whole_number},
+    numbers::{many, must_be, threads, whole, whole_number},
 };
 
 #[derive(Args)]
@@ -163,7 +163,8 @@ pub(crate) struct SuiteArgs {
 
 fn radius(text: &str) -> Result<f64, String> {
     let found = text.parse::<f64>().ok().filter(|radius| (0.01..=1.0).contains(radius));
-    found.ok_or_else(|| "it must be a number from 0.01 to 1".to_owned())
+    let allowed = || message!("error-number-from-to", "a number from {low} to {high}", low = 0.01, high = 1.0);
+    found.ok_or_else(|| must_be(&allowed()))
 }
 
 fn variables(text: &str) -> Result<usize, String> {

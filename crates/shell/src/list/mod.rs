@@ -2,7 +2,6 @@
 
 mod entry;
 mod page;
-mod words;
 
 // Its messages are listed, too.
 use forage_script as _;
@@ -12,20 +11,21 @@ use crate::registry::registry;
 
 use forage::{
     Scene,
-    kernel::message::sentences,
+    kernel::{Message, message::sentences},
+    message,
     types::{Declarations, declarations},
 };
 
 use super::{
     args::ListArgs,
-    convert::describe,
+    convert::size,
     failure::{Failure, Outcome},
-    help, names,
+    help, kinds,
+    language::say,
+    names,
     output::{print, print_json, print_raw},
-    text::{columns, cut_list, escape, fit, quoted, wrap},
+    text::{columns, cut_list, escape, fit, listed, padded, quoted, wide, wrap},
 };
-
-use words::{family, kinds};
 
 pub(super) fn list(args: &ListArgs) -> Outcome {
     match &args.name {
@@ -50,11 +50,15 @@ pub(super) fn list(args: &ListArgs) -> Outcome {
 }
 
 fn unknown(name: &str, known: &[&str]) -> Failure {
-    let near: Vec<_> = names::nearest(name, known).iter().map(|name| format!("`{name}`")).collect();
-    let near =
-        if near.is_empty() { format!("it must be one of {}", cut_list(known, 80)) } else { format!("did you mean {}?", near.join(" or ")) };
-    let end = if near.ends_with('?') { "" } else { ";" };
-    Failure::Refused(format!("{} is not a planner, generator or scene; {near}{end} `forage list` shows all names", quoted(name)))
+    let near = names::nearest(name, known);
+    let said = message!("shell-no-page", "{name} is not a planner, generator or scene", name = quoted(name));
+    let hint = message!("shell-all-names", "`forage list` shows all names");
+    Failure::Refused(if near.is_empty() {
+        let list = cut_list(known, 80);
+        names::hinted(&message!("shell-must-be-one-of", "{said}; it must be one of {list}", said, list), &hint)
+    } else {
+        names::meant(&said, &near).then(hint)
+    })
 }
 
 /// A line: name, title, and where it applies.
@@ -67,7 +71,7 @@ struct Line {
 /// All names, grouped, one line each.
 fn overview(columns: usize) -> String {
     let groups = groups();
-    let width = |part: fn(&Line) -> &String| groups.iter().flat_map(|(_, lines)| lines).map(|line| part(line).chars().count()).max();
+    let width = |part: fn(&Line) -> &String| groups.iter().flat_map(|(_, lines)| lines).map(|line| wide(part(line))).max();
     let [name, title, note] =
         [width(|line| &line.name), width(|line| &line.title), width(|line| &line.note)].map(Option::unwrap_or_default);
     // Where the terminal is narrow, titles are cut; names never are.
@@ -77,41 +81,46 @@ fn overview(columns: usize) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{heading}");
         for line in lines {
-            let shown = format!("  {:name$}  {:title$}  {}", line.name, fit(&line.title, title), line.note);
+            let shown = format!("  {}  {}  {}", padded(&line.name, name), padded(&fit(&line.title, title), title), line.note);
             let _ = writeln!(text, "{}", fit(shown.trim_end(), columns));
         }
         text.push('\n');
     }
-    text + &wrap("`forage list NAME` shows a page with all parameters and an example.", columns, 0)
+    let more = message!("shell-list-pages", "`forage list NAME` shows a page with all parameters and an example.");
+    text + &wrap(&more.text(), columns, 0)
 }
 
 fn groups() -> Vec<(String, Vec<Line>)> {
     let mut groups: Vec<(String, Vec<Line>)> = Vec::new();
-    let mut add = |heading: String, line: Line| match groups.iter_mut().find(|(known, _)| *known == heading) {
-        Some((_, lines)) => lines.push(line),
-        None => groups.push((heading, vec![line])),
+    let mut add = |heading: Message, name: &str, title: &str, note: String| {
+        let (heading, line) = (heading.to_string(), Line { name: name.to_owned(), title: escape(title).into_owned(), note });
+        match groups.iter_mut().find(|(known, _)| *known == heading) {
+            Some((_, lines)) => lines.push(line),
+            None => groups.push((heading, vec![line])),
+        }
     };
     for entry in registry().planners() {
-        let line = Line { name: entry.name.to_owned(), title: entry.title.to_owned(), note: kinds(entry) };
-        add(format!("Planners: {}", family(entry)), line);
+        let heading = message!("shell-planners", "Planners: {family}", family = kinds::family(entry));
+        let title = say(entry.title, &format!("planners.{}.title", entry.name));
+        add(heading, entry.name, title, listed(&kinds::of_planner(entry)));
     }
     for generator in registry().generators() {
-        let line = Line { name: generator.name.to_owned(), title: generator.title.to_owned(), note: generator.kind.name().to_owned() };
-        add("Generators of random scenes".to_owned(), line);
+        let title = say(generator.title, &format!("generators.{}.title", generator.name));
+        let heading = message!("shell-generators", "Generators of random scenes");
+        add(heading, generator.name, title, kinds::name(generator.kind.name()));
     }
     for follower in registry().followers() {
-        let line = Line { name: follower.name.to_owned(), title: follower.title.to_owned(), note: follower.kind.name().to_owned() };
-        add("Following a path".to_owned(), line);
+        let title = say(follower.title, &format!("{}.title", follower.name));
+        add(message!("shell-followers", "Following a path"), follower.name, title, kinds::name(follower.kind.name()));
     }
     for scene in registry().scenes() {
-        let description = describe(scene);
-        let size = description.split_once(", ").map_or("", |(_, size)| size).to_owned();
-        let line = Line { name: scene.name().to_owned(), title: escape(&scene.header().title).into_owned(), note: size };
-        add(format!("Scenes: {}", scene_heading(scene)), line);
+        let title = say(&scene.header().title, &format!("scenes.{}.title", scene.name()));
+        add(scene_heading(scene), scene.name(), title, size(scene));
     }
     groups
 }
 
-fn scene_heading(scene: &Scene) -> &'static str {
-    registry().kinds().iter().find(|kind| kind.id == scene.kind()).map_or("others", |kind| kind.title)
+fn scene_heading(scene: &Scene) -> Message {
+    let kind = registry().kinds().iter().find(|kind| kind.id == scene.kind());
+    kinds::scenes(scene.kind().name(), kind.map_or("", |kind| kind.title))
 }

@@ -5,17 +5,19 @@ use std::fmt::Write;
 use forage::{
     Scene,
     describe::{CentreBias, Entry, Follower, Generator, Ratio},
-    kernel::SceneKindId,
+    kernel::{Message, SceneKindId},
+    message,
     params::Parameter,
     scene::{ARM, GridScene},
 };
 
-use super::words::{family, kinds};
 use crate::{
     convert::describe,
     exact::unit,
+    failure, kinds,
+    language::{say, say_numbered},
     registry::registry,
-    text::{escape, point, wrap},
+    text::{escape, listed, padded, point, wrap},
 };
 
 /// The page about a name, which must be known.
@@ -49,14 +51,14 @@ impl Page {
     }
 
     /// A label with what it stands for.
-    fn field(&mut self, label: &str, value: &str) {
+    fn field(&mut self, label: &Message, value: &str) {
         let lines = wrap(value, self.columns, 13);
         // Writing to a string cannot fail.
-        let _ = writeln!(self.text, "  {label:<9}  {lines}");
+        let _ = writeln!(self.text, "  {}  {lines}", padded(&label.text(), 9));
     }
 
-    fn heading(&mut self, heading: &str) {
-        self.text.extend(["\n", heading, "\n"]);
+    fn heading(&mut self, heading: &Message) {
+        self.text.extend(["\n", &heading.text(), "\n"]);
     }
 
     /// A name in a column of `width`, what it is, and a paragraph about it.
@@ -70,86 +72,113 @@ impl Page {
         }
     }
 
-    fn parameters(&mut self, option: &str, parameters: &[&[Parameter]], kinds: &[SceneKindId]) {
-        self.heading(&format!("Parameters ({option} NAME=VALUE)"));
+    /// Parameters, whose texts are at `place`.
+    fn parameters(&mut self, option: &str, place: &str, parameters: &[&[Parameter]], kinds: &[SceneKindId]) {
+        self.heading(&message!("shell-parameters", "Parameters ({option} NAME=VALUE)", option));
         let width = parameters.iter().copied().flatten().map(|parameter| parameter.name.len()).max().unwrap_or(0);
         for parameter in parameters.iter().copied().flatten() {
-            let range = format!("{}; default {}", parameter.allowed(), defaults(parameter, kinds));
-            let condition = parameter.when.map_or(String::new(), |when| format!("; only if {}={}", when.parameter, when.value));
-            self.named(parameter.name, width, &format!("{range}{condition}"), parameter.help);
+            let (allowed, default) = (parameter.allowed(), defaults(parameter, kinds));
+            let range = match parameter.when {
+                None => message!("shell-parameter", "{allowed}; default {default}", allowed, default),
+                Some(when) => message!(
+                    "shell-parameter-if",
+                    "{allowed}; default {default}; only if {condition}",
+                    allowed,
+                    default,
+                    condition = format!("{}={}", when.parameter, when.value)
+                ),
+            };
+            let help = say(parameter.help, &format!("{place}.parameters.{}.help", parameter.name));
+            self.named(parameter.name, width, &range.text(), help);
         }
     }
 
     fn examples(&mut self, examples: &[String]) {
-        self.heading(if examples.len() == 1 { "Example" } else { "Examples" });
+        self.heading(&if examples.len() == 1 { message!("shell-example", "Example") } else { message!("shell-examples", "Examples") });
         examples.iter().for_each(|example| self.line(&format!("  {example}")));
     }
 }
 
 /// The default, or the defaults by kind where they differ.
-fn defaults(parameter: &Parameter, kinds: &[SceneKindId]) -> String {
+fn defaults(parameter: &Parameter, kinds: &[SceneKindId]) -> Message {
     let on: Vec<SceneKindId> = kinds.iter().copied().filter(|&kind| parameter.applies_to(kind)).collect();
     let values: Vec<String> = on.iter().map(|&kind| parameter.default_on(kind).to_string()).collect();
-    let Some(first) = values.first() else { return "none".to_owned() };
+    let Some(first) = values.first() else { return message!("shell-no-default", "none") };
     if values.iter().any(|value| value != first) {
-        let pairs: Vec<_> = values.iter().zip(&on).map(|(value, kind)| format!("{value} on {}", kind.name())).collect();
-        return pairs.join(", ");
+        let pair = |(value, kind): (&String, &SceneKindId)| {
+            message!("shell-value-on", "{value} on {kind}", value, kind = kinds::name(kind.name())).to_string()
+        };
+        return Message::verbatim(listed(&values.iter().zip(&on).map(pair).collect::<Vec<_>>()));
     }
     if on.len() == kinds.len() {
-        return first.clone();
+        return Message::verbatim(first);
     }
-    let names: Vec<_> = on.iter().map(|kind| kind.name()).collect();
-    format!("{first}; only on {}", names.join(", "))
+    message!("shell-value-only-on", "{value}; only on {kinds}", value = first, kinds = listed(&kinds::names(&on)))
 }
 
 /// The centre bias of a planner, with that of random search.
-fn centre_bias(bias: CentreBias) -> String {
-    let shown = |ratio: Ratio| format!("{:.2} ({:.2} to {:.2})", ratio.value, ratio.from, ratio.to);
-    format!(
-        "With default parameters, in 10 variables and 10,000 evaluations: shifting the minimum away from the centre of the search box \
-         multiplies the gap by {} (random search: {:.2}). Rotating the axes multiplies it by {}.",
-        shown(bias.shifted),
-        bias.random_search.value,
-        shown(bias.rotated)
+fn centre_bias(bias: CentreBias) -> Message {
+    let shown = |Ratio { value, from, to }: Ratio| message!("shell-ratio", "{value:.2} ({from:.2} to {to:.2})", value, from, to);
+    message!(
+        "shell-centre-bias",
+        "With default parameters, in 10 variables and 10,000 evaluations: shifting the minimum away from the centre of the search box multiplies the gap by {shifted} (random search: {random:.2}). Rotating the axes multiplies it by {rotated}.",
+        shifted = shown(bias.shifted),
+        random = bias.random_search.value,
+        rotated = shown(bias.rotated)
     )
 }
 
+/// A name with its title, as a page begins.
+fn titled(name: &str, title: &str) -> String {
+    failure::at(name, &Message::verbatim(title)).to_string()
+}
+
 fn planner(entry: &Entry, page: &mut Page) {
-    page.line(&format!("{}: {}", entry.name, entry.title));
-    page.field("Family", family(entry));
-    page.field("Source", entry.source);
-    page.field("Scenes", &kinds(entry));
+    let place = format!("planners.{}", entry.name);
+    page.line(&titled(entry.name, say(entry.title, &format!("{place}.title"))));
+    page.field(&message!("shell-page-family", "Family"), &kinds::family(entry).text());
+    page.field(&message!("shell-page-source", "Source"), &say_numbered(entry.source));
+    page.field(&message!("shell-page-scenes", "Scenes"), &listed(&kinds::of_planner(entry)));
     if !entry.evaluation.is_empty() {
-        page.field("Evaluates", entry.evaluation);
+        page.field(&message!("shell-page-evaluates", "Evaluates"), say(entry.evaluation, &format!("{place}.evaluation")));
     }
     if let Some(most) = entry.most_stops {
-        page.field("Stops", &format!("at most {most}"));
+        page.field(&message!("shell-page-stops", "Stops"), &message!("shell-most-stops", "at most {most}", most).text());
     }
     page.line("");
-    page.paragraph(entry.summary, 2);
+    page.paragraph(say(entry.summary, &format!("{place}.summary")), 2);
     if let Some(bias) = CentreBias::of(entry.name) {
-        page.heading("Centre bias (forage bench centre-bias)");
-        page.paragraph(&centre_bias(bias), 2);
+        page.heading(&message!("shell-page-centre-bias", "Centre bias (forage bench centre-bias)"));
+        page.paragraph(&centre_bias(bias).text(), 2);
     }
-    page.parameters("--set", entry.parameters, entry.kinds);
-    if !entry.presets.is_empty() {
-        page.heading("Presets (--preset NAME)");
-        let width = entry.presets.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
-        for preset in entry.presets {
-            let values: Vec<_> = preset.given().iter().map(|(name, value)| format!("{name}={value}")).collect();
-            let values = if values.is_empty() { "the defaults".to_owned() } else { values.join(" ") };
-            page.named(preset.name, width, &format!("{}: {values}", preset.title), preset.help);
-        }
-    }
-    page.heading("Metrics of each iteration (`readings` in JSON; --trace FILE writes them)");
+    page.parameters("--set", &place, entry.parameters, entry.kinds);
+    presets(entry, &place, page);
+    page.heading(&message!("shell-page-metrics", "Metrics of each iteration (`readings` in JSON; --trace FILE writes them)"));
     let width = entry.readings.iter().map(|reading| reading.name.len()).max().unwrap_or(0);
     for reading in entry.readings {
-        page.named(reading.name, width, &format!("{}. {}", reading.title, reading.help), "");
+        let part = |text, part| say(text, &format!("{place}.readings.{}.{part}", reading.name)).to_owned();
+        let (title, help) = (part(reading.title, "title"), part(reading.help, "help"));
+        page.named(reading.name, width, &message!("shell-metric", "{title}. {help}", title, help).text(), "");
     }
     let scene = example_scene(entry).map_or("FILE", |scene| scene.name());
     // A tuner runs thousands of colonies with its defaults.
     let quick = if entry.family == "tuning" { " --iterations 2 --set population=4" } else { "" };
     page.examples(&[format!("forage run {} --scene {scene}{quick}", entry.name)]);
+}
+
+fn presets(entry: &Entry, place: &str, page: &mut Page) {
+    if entry.presets.is_empty() {
+        return;
+    }
+    page.heading(&message!("shell-page-presets", "Presets (--preset NAME)"));
+    let width = entry.presets.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
+    for preset in entry.presets {
+        let values: Vec<_> = preset.given().iter().map(|(name, value)| format!("{name}={value}")).collect();
+        let values = if values.is_empty() { message!("shell-the-defaults", "the defaults") } else { Message::verbatim(values.join(" ")) };
+        let part = |text, part| say(text, &format!("{place}.presets.{}.{part}", preset.name));
+        let title = failure::at(part(preset.title, "title"), &values);
+        page.named(preset.name, width, &title.text(), part(preset.help, "help"));
+    }
 }
 
 /// A shipped scene on which a planner finds something.
@@ -161,27 +190,34 @@ fn example_scene(entry: &Entry) -> Option<&'static Scene> {
 }
 
 fn generator(generator: &'static Generator, page: &mut Page) {
-    page.line(&format!("{}: {}", generator.name, generator.title));
-    page.field("Makes", &format!("scenes of kind {}", generator.kind.name()));
+    let place = format!("generators.{}", generator.name);
+    page.line(&titled(generator.name, say(generator.title, &format!("{place}.title"))));
+    let kind = kinds::name(generator.kind.name());
+    page.field(&message!("shell-page-makes", "Makes"), &message!("shell-scenes-of-kind", "scenes of kind {kind}", kind).text());
     page.line("");
-    page.paragraph(generator.help, 2);
-    page.parameters("--set", generator.parameters, &[generator.kind]);
+    page.paragraph(say(generator.help, &format!("{place}.help")), 2);
+    page.parameters("--set", &place, generator.parameters, &[generator.kind]);
     page.examples(&[format!("forage generate {0} --seed 7 --out {0}.json", generator.name)]);
 }
 
 fn following(entry: &Follower, page: &mut Page) {
     let (name, kind) = (entry.name, entry.kind);
-    page.line(&format!("{name}: {}", entry.title));
-    page.field("Source", entry.source);
-    page.field("Scenes", kind.name());
+    page.line(&titled(name, say(entry.title, &format!("{name}.title"))));
+    page.field(&message!("shell-page-source", "Source"), &say_numbered(entry.source));
+    page.field(&message!("shell-page-scenes", "Scenes"), &kinds::name(kind.name()));
     page.line("");
-    page.paragraph(entry.summary, 2);
-    page.parameters(&format!("--{name}-set"), entry.parameters, &[kind]);
-    page.heading(&format!("Columns of the CSV file that --{name} FILE writes"));
+    page.paragraph(say(entry.summary, &format!("{name}.summary")), 2);
+    page.parameters(&format!("--{name}-set"), name, entry.parameters, &[kind]);
+    page.heading(&message!("shell-page-columns", "Columns of the CSV file that --{name} FILE writes", name));
     let width = entry.columns.iter().map(|column| column.name.len()).max().unwrap_or(0);
     for column in entry.columns {
-        let unit = if column.unit.is_empty() { String::new() } else { format!(" ({})", column.unit) };
-        page.named(column.name, width, &format!("{}{unit}", column.title), "");
+        let title = say(column.title, &format!("{name}.columns.{}.title", column.name));
+        let title = if column.unit.is_empty() {
+            Message::verbatim(title)
+        } else {
+            message!("shell-with-unit", "{title} ({unit})", title, unit = column.unit)
+        };
+        page.named(column.name, width, &title.text(), "");
     }
     let example = if kind == ARM { "run rrt-guided --scene arm-cuboid" } else { "run ltqpso --scene qpso-10m" };
     page.examples(&[format!("forage {example} --{name} {name}.csv")]);
@@ -189,24 +225,25 @@ fn following(entry: &Follower, page: &mut Page) {
 
 fn scene(scene: &Scene, page: &mut Page) {
     let header = scene.header();
-    page.line(&format!("{}: {}", scene.name(), escape(&header.title)));
-    page.field("Kind", &describe(scene));
+    let place = |part: &str| format!("scenes.{}.{part}", scene.name());
+    page.line(&titled(scene.name(), &escape(say(&header.title, &place("title")))));
+    page.field(&message!("shell-page-kind", "Kind"), &describe(scene));
     let unit = unit(scene);
     if !unit.is_empty() {
-        page.field("Unit", &escape(unit));
+        page.field(&message!("shell-page-unit", "Unit"), &escape(say(unit, &place("units"))));
     }
     if let Some(source) = &header.source {
-        page.field("Source", &escape(source));
+        page.field(&message!("shell-page-source", "Source"), &escape(&say_numbered(source)));
     }
     if let Some((start, goal)) = scene.ends() {
-        page.field("Start", &point(start));
-        page.field("Goal", &point(goal));
+        page.field(&message!("shell-page-start", "Start"), &point(start));
+        page.field(&message!("shell-page-goal", "Goal"), &point(goal));
     }
     if let Some(note) = &header.note {
         page.line("");
-        page.paragraph(&escape(note), 2);
+        page.paragraph(&escape(say(note, &place("note"))), 2);
     }
-    page.heading("Planners that run on it");
+    page.heading(&message!("shell-page-suited", "Planners that run on it"));
     let planners: Vec<_> = registry().suited(scene).map(|entry| entry.name).collect();
     page.paragraph(&planners.join(", "), 2);
     let run = planners.first().map(|planner| format!("forage run {planner} --scene {}", scene.name()));

@@ -16,8 +16,8 @@ use crate::registry::registry;
 use forage::{
     Outcome, Run, Status,
     describe::{Column, Shown, layers},
-    kernel::Stepped,
-    picture,
+    kernel::{Message, Stepped, message::in_english},
+    message, picture,
     run::{csv_heading, csv_line, csv_row},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -29,7 +29,9 @@ use super::{
     args::RunArgs,
     exact,
     failure::{self, Failure},
-    files, interrupt,
+    files::{self, Role},
+    interrupt,
+    language::say,
     load::{self, Following},
     output::{note, print, print_json},
     text::{escape, quoted},
@@ -50,7 +52,11 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     let mut run = Run::with_keyframes(registry(), task.setup.clone(), 0).map_err(|error| load::in_setup(&task.setup, &error))?;
     if args.tour.is_some() && !run.entry().stops {
         let name = run.entry().name;
-        return Err(Failure::Refused(format!("--tour needs a planner of tours; `{name}` looks for a path (`forage list` shows which do)")));
+        return Err(Failure::Refused(message!(
+            "shell-needs-tours",
+            "--tour needs a planner of tours; `{name}` looks for a path (`forage list` shows which do)",
+            name
+        )));
     }
     let elapsed_ms = run_to_end(&mut run, task.stop_at, args.trace.as_deref())?;
     let mut outcome = run.outcome();
@@ -67,7 +73,7 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     if let Some(path) = &args.svg {
         let shown = run.entry().layers.iter().filter(|layer| layer.shown == Shown::On);
         let layers: Vec<_> = shown.map(|layer| layer.key).chain([layers::EXACT.key]).collect();
-        files::write(path, picture::svg(&run, false, &layers))?;
+        files::write(path, in_english(|| picture::svg(&run, false, &layers)))?;
     }
     let expected = task.expected_hash.filter(|_| !args.ignore_hash);
     let difference = expected.and_then(|expected| hash_difference(&expected, task.stop_at, &outcome));
@@ -75,50 +81,55 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     if args.json {
         print_json(&Report { outcome, elapsed_ms })?;
     } else {
-        print(&summary::summary(&outcome, exact::unit(run.scene()), elapsed_ms))?;
+        let unit = say(exact::unit(run.scene()), &format!("scenes.{}.units", run.scene().name()));
+        print(&summary::summary(&outcome, unit, elapsed_ms))?;
     }
     if let Some(difference) = difference {
-        note(&difference);
+        note(difference);
     }
     Ok(ExitCode::from(u8::from(!succeeded)))
 }
 
 /// What is not as the link says, if its hash does not come out again.
-fn hash_difference(expected: &str, iteration: Option<u64>, outcome: &Outcome) -> Option<String> {
+fn hash_difference(expected: &str, iteration: Option<u64>, outcome: &Outcome) -> Option<Message> {
     if outcome.hash == *expected {
         return None;
     }
     if outcome.hash.is_empty() {
-        return Some("the link's hash cannot be compared: the run was interrupted within a step".to_owned());
+        return Some(message!("shell-hash-of-no-iteration", "the link's hash cannot be compared: the run was interrupted within a step"));
     }
     let here = outcome.iterations;
     let (hash, expected) = (&outcome.hash, quoted(expected));
     let what = match iteration.filter(|&iteration| iteration != here) {
-        Some(iteration) => {
-            format!("the link shows iteration {iteration} with the hash {expected}; this run stopped at iteration {here} with {hash}")
+        Some(iteration) => message!(
+            "shell-hash-of-another-iteration",
+            "the link shows iteration {iteration} with the hash {expected}; this run stopped at iteration {here} with {hash}",
+            iteration,
+            expected,
+            here,
+            hash
+        ),
+        None => {
+            message!("shell-hash-differs", "at iteration {here} the link's hash is {expected}; this run's is {hash}", here, expected, hash)
         }
-        None => format!("at iteration {here} the link's hash is {expected}; this run's is {hash}"),
     };
-    Some(format!(
-        "{what}. The planner, one of its defaults or the scene is not what it was when the link was made; --ignore-hash accepts that"
+    Some(message!(
+        "shell-hash-why",
+        "{what}. The planner, one of its defaults or the scene is not what it was when the link was made; --ignore-hash accepts that",
+        what
     ))
 }
 
 /// Refuses, before anything is run, to write over the scene or over another output, or where nothing can be written.
 fn check_outputs(args: &RunArgs, read: &[PathBuf]) -> Result<(), Failure> {
-    let mut others: Vec<(&str, &Path)> = read.iter().map(|path| ("is read", path.as_path())).collect();
-    let written = [
-        ("--svg", &args.svg, "--svg writes"),
-        ("--trace", &args.trace, "--trace writes"),
-        ("--drive", &args.drive, "--drive writes"),
-        ("--tour", &args.tour, "--tour writes"),
-        ("--motion", &args.motion, "--motion writes"),
-    ];
-    for (option, path, role) in written {
+    let mut others: Vec<(Role, &Path)> = read.iter().map(|path| (Role::Read, path.as_path())).collect();
+    let written =
+        [("--svg", &args.svg), ("--trace", &args.trace), ("--drive", &args.drive), ("--tour", &args.tour), ("--motion", &args.motion)];
+    for (option, path) in written {
         let Some(path) = path else { continue };
         files::check_target(path)?;
         files::check_apart(option, path, &others)?;
-        others.push((role, path));
+        others.push((Role::Option(option), path));
     }
     Ok(())
 }
@@ -129,15 +140,15 @@ fn follow(following: &Following<'_>, run: &Run, outcome: &mut Outcome) -> Result
     let followed = run.follow(follower.name, overrides)?;
     match (out, &followed) {
         (Some(path), Some(followed)) => write_rows(path, follower.columns, followed.rows())?,
-        (Some(path), None) => not_written(path, "no path was found to follow"),
+        (Some(path), None) => not_written(path, &message!("shell-no-path-to-follow", "no path was found to follow")),
         (None, _) => {}
     }
     outcome.followed.set(follower.name, followed.map(|followed| followed.outcome()));
     Ok(())
 }
 
-fn not_written(path: &Path, why: &str) {
-    note(&format!("{why}; {} is not written", quoted(&path.to_string_lossy())));
+fn not_written(path: &Path, why: &Message) {
+    note(message!("shell-is-not-written", "{why}; {file} is not written", why, file = quoted(&path.to_string_lossy())));
 }
 
 /// Steps to the end, to `stop_at`, or until Ctrl-C, whichever comes first. Returns how many milliseconds it took.
@@ -173,13 +184,14 @@ fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Resu
     }
     if interrupted.load(Ordering::Relaxed) {
         let at = run.iteration();
-        note(&if run.is_partly() {
-            format!(
-                "interrupted within the step after iteration {at}; this is the best result so far. Costs, evaluations and readings are those \
-                 of the unfinished step, which has no hash"
+        note(if run.is_partly() {
+            message!(
+                "shell-interrupted-within",
+                "interrupted within the step after iteration {at}; this is the best result so far. Costs, evaluations and readings are those of the unfinished step, which has no hash",
+                at
             )
         } else {
-            format!("interrupted at iteration {at}; this is the best result so far")
+            message!("shell-interrupted-at", "interrupted at iteration {at}; this is the best result so far", at)
         });
     }
     Ok(elapsed.as_secs_f64() * 1e3)
@@ -191,7 +203,9 @@ const LONG: Duration = Duration::from_millis(500);
 /// A bar on standard error (shown only on a terminal), hidden until the run has taken long.
 fn progress(end: u64) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(end), ProgressDrawTarget::hidden());
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} iterations, {eta} left") {
+    let (bar_of, at, of, left) = ("{wide_bar}", "{pos}", "{len}", "{eta}");
+    let template = message!("shell-run-progress", "{bar_of} {at}/{of} iterations, {left} left", bar_of, at, of, left);
+    if let Ok(style) = ProgressStyle::with_template(&template.text()) {
         bar.set_style(style);
     }
     bar
@@ -220,13 +234,14 @@ fn write_rows(path: &Path, columns: &[Column], rows: &[f64]) -> Result<(), Failu
 
 fn write_tour(path: &Path, outcome: &Outcome) -> Result<(), Failure> {
     let Some(order) = &outcome.order else {
-        not_written(path, "no tour was found");
+        not_written(path, &message!("shell-no-tour-found", "no tour was found"));
         return Ok(());
     };
     let name = path.to_string_lossy();
     files::write(path, tour_file(&escape(stem_of(&name)), order).bytes)?;
     if outcome.path.as_ref().is_some_and(|path| path.first() != path.last()) {
-        note(&format!("the tour is open, but readers of {} take it as closed", quoted(&path.to_string_lossy())));
+        let file = quoted(&path.to_string_lossy());
+        note(message!("shell-open-tour", "the tour is open, but readers of {file} take it as closed", file));
     }
     Ok(())
 }

@@ -10,7 +10,7 @@ use std::{
     },
 };
 
-use forage::{Error, Overrides, Registry, kernel::Message};
+use forage::{Error, Overrides, Registry, kernel::Message, message};
 use forage_formats::NamedFile;
 
 use super::super::{
@@ -89,12 +89,12 @@ pub trait Suite {
     fn table(&self, rows: &[<Self::Task as Job>::Row]) -> Table;
 
     /// Results that contradict a known optimum: an exact planner that misses it, a tour that is shorter.
-    fn faults(&self, _rows: &[<Self::Task as Job>::Row]) -> Vec<String> {
+    fn faults(&self, _rows: &[<Self::Task as Job>::Row]) -> Vec<Message> {
         Vec::new()
     }
 
     /// What the user should know before it begins: problems that cannot be run, …
-    fn notes(&self) -> &[String] {
+    fn notes(&self) -> &[Message] {
         &[]
     }
 }
@@ -104,7 +104,7 @@ pub const MOST_RUNS: usize = 1_000_000;
 
 /// Refuses more runs than there may be.
 pub(super) fn check_count(runs: usize) -> Result<(), Error> {
-    if runs > MOST_RUNS { Err(Error::refused("runs", runs, Message::verbatim(format!("at most {MOST_RUNS}")))) } else { Ok(()) }
+    if runs > MOST_RUNS { Err(Error::refused("runs", runs, message!("study-at-most", "at most {most}", most = MOST_RUNS))) } else { Ok(()) }
 }
 
 /// Merges the rows of `parts` into `file`. For each file and planner the cheapest run is repeated; rows that it does not reproduce are
@@ -145,8 +145,12 @@ fn check<A: SuiteJob>(file: &Path, kept: &[A::Row], attempts: &[A], stop: &Atomi
     for attempt in lightest.into_values() {
         let again = attempt.run(stop)?.map(|row| row.computed());
         if again.is_some() && known.get(&attempt.key()).map(|row| row.computed()) != again {
-            let problem = format!("the row `{}` comes from another version of forage; --fresh starts over", attempt.key());
-            return Err(Error::malformed(&file.display().to_string(), Message::verbatim(problem)).into());
+            let problem = message!(
+                "study-row-of-another-version",
+                "the row `{row}` comes from another version of forage; --fresh starts over",
+                row = attempt.key()
+            );
+            return Err(Error::malformed(&file.display().to_string(), problem).into());
         }
     }
     Ok(())
@@ -170,8 +174,8 @@ pub(super) fn recreate_folder(folder: &Path) -> Result<(), Failure> {
     if folder.join(MARKER).exists() {
         fs::remove_dir_all(folder).map_err(at(folder))?;
     } else if folder.exists() {
-        let problem = "it was not written by forage bench; choose another --out".to_owned();
-        return Err(Error::malformed(&folder.display().to_string(), Message::verbatim(problem)).into());
+        let problem = message!("study-not-by-bench", "it was not written by forage bench; choose another --out");
+        return Err(Error::malformed(&folder.display().to_string(), problem).into());
     }
     fs::create_dir_all(folder).map_err(at(folder))?;
     let mark = folder.join(MARKER);

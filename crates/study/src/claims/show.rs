@@ -4,15 +4,17 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use forage::kernel::Error;
-use forage::kernel::Message;
+use forage::{
+    kernel::{Error, Message},
+    message,
+};
 
 use super::{
     super::{
         failure::Failure,
         papers::PAPERS,
         report::Report,
-        table::{Cell, Table, probability},
+        table::{Cell, Say, Table, probability},
     },
     judged::{Answered, Judged, Mark},
 };
@@ -48,7 +50,7 @@ fn planners(part: &Answered) -> String {
 fn table(claim: &Judged) -> Table {
     let mut table = Table::new(
         claim.id,
-        format!("Questions of {}", claim.id),
+        message!("study-questions", "Questions of {id}", id = claim.id),
         &["question", "on", "planners", "n", "numbers", "test", "p", "effect", "answer"],
     );
     for part in &claim.parts {
@@ -83,11 +85,19 @@ pub fn markdown(claims: &[Judged]) -> String {
     text
 }
 
-/// Claims for a terminal, and a table of the questions of each.
-pub fn text(claims: &[Judged]) -> String {
+/// Claims for a terminal, and a table of the questions of each; `say`: how texts in English are said.
+pub fn text(claims: &[Judged], say: Say<'_>) -> String {
     let mut text = String::new();
     for claim in claims {
-        let _ = write!(text, "{}: {}: {}. {}\n{}\n", claim.id, claim.says, claim.mark.name(), claim.because, table(claim).text());
+        let told = message!(
+            "study-claim",
+            "{id}: {says}: {mark}. {because}",
+            id = claim.id,
+            says = say(claim.says),
+            mark = say(claim.mark.name()),
+            because = say(&claim.because)
+        );
+        let _ = write!(text, "{told}\n{}\n", table(claim).text(say));
     }
     text
 }

@@ -2,6 +2,11 @@
 
 use std::{fmt::Write, fs};
 
+use forage::{
+    kernel::{Message, message::in_english},
+    message,
+};
+
 use super::{
     super::{
         claims,
@@ -10,6 +15,7 @@ use super::{
         findings,
         options::Options,
         papers,
+        table::{Say, as_it_is},
     },
     Report, figures,
 };
@@ -34,18 +40,32 @@ impl Report {
     }
 
     fn heading(&self) -> String {
-        let shortened = self.shortened.as_ref().map_or(String::new(), |text| format!(" ({text})"));
-        format!("{}: {}, {}{shortened}", self.name, self.title, self.source)
+        in_english(|| self.told(&as_it_is).to_string())
     }
 
-    /// For a terminal.
-    pub fn text(&self) -> String {
-        let mut text = format!("{}\n\n", self.heading());
-        figures::tables(&self.figures).iter().for_each(|table| text += &(table.text() + "\n"));
-        self.tables.iter().for_each(|table| text += &(table.text() + "\n"));
-        text += &claims::text(&self.claims);
-        let files = self.files.iter().map(|path| path_text(path));
-        for (title, items) in [("Notes", self.notes.clone()), ("To repeat a run", self.commands.clone()), ("Written", files.collect())] {
+    fn told(&self, say: Say<'_>) -> Message {
+        let (name, title, source) = (self.name, say(self.title), say(self.source));
+        if let Some(how) = &self.shortened {
+            message!("study-shortened", "{name}: {title}, {source} ({how})", name, title, source, how = say(how))
+        } else {
+            message!("study-report", "{name}: {title}, {source}", name, title, source)
+        }
+    }
+
+    /// For a terminal; `say`: how texts in English are said.
+    pub fn text(&self, say: Say<'_>) -> String {
+        let mut text = format!("{}\n\n", self.told(say));
+        figures::tables(&self.figures).iter().for_each(|table| text += &(table.text(say) + "\n"));
+        self.tables.iter().for_each(|table| text += &(table.text(say) + "\n"));
+        text += &claims::text(&self.claims, say);
+        let notes = self.notes.iter().map(|note| say(note)).collect();
+        let files = self.files.iter().map(|path| path_text(path)).collect();
+        let sections = [
+            (message!("study-notes", "Notes"), notes),
+            (message!("study-to-repeat", "To repeat a run"), self.commands.clone()),
+            (message!("study-written", "Written"), files),
+        ];
+        for (title, items) in sections {
             if items.is_empty() {
                 continue;
             }

@@ -8,11 +8,7 @@ use std::{
     sync::Arc,
 };
 
-use forage::{
-    Value,
-    kernel::{Error, Message},
-    run::Improvement,
-};
+use forage::{Value, kernel::Error, message, run::Improvement};
 use parquet::{
     basic::{LogicalType, Repetition, Type as Physical},
     data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type},
@@ -93,7 +89,7 @@ impl Curves {
             Some("csv") => Format::Csv,
             Some("parquet") => Format::Parquet,
             _ => {
-                let allowed = Message::verbatim("a file that ends in .csv or .parquet");
+                let allowed = message!("study-curves-ending", "a file that ends in .csv or .parquet");
                 return Err(Error::refused("--curves", path.display().to_string(), allowed).into());
             }
         };

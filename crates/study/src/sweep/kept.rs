@@ -12,6 +12,7 @@ use std::{
 
 use forage::{
     kernel::{Error, Message},
+    message,
     run::trial::Record,
 };
 
@@ -65,6 +66,23 @@ pub struct Kept<'a> {
     notes: Vec<String>,
 }
 
+fn told(note: &Message) -> String {
+    note.to_string()
+}
+
+/// What is wrong with a file that has the rows of something else, and what helps; `fresh`: whether it may be thrown away.
+fn elsewhere(problem: &Message, fresh: bool) -> Message {
+    if fresh {
+        message!(
+            "study-another-experiment-fresh",
+            "{problem}: it belongs to another experiment; --out writes elsewhere, --fresh starts over",
+            problem
+        )
+    } else {
+        message!("study-another-experiment", "{problem}: it belongs to another experiment; --out writes elsewhere", problem)
+    }
+}
+
 impl<'a> Kept<'a> {
     /// Opens the file, made if need be, and looks through what is there; `fresh`: does without that. What is there stays as it
     /// is until [`Self::begin`].
@@ -77,7 +95,7 @@ impl<'a> Kept<'a> {
             return Err(Error::refused(
                 "--shard",
                 part.to_string(),
-                Message::verbatim(format!("one of at most {} parts, as many as there are runs", sweep.len())),
+                message!("study-most-parts", "one of at most {runs} parts, as many as there are runs", runs = sweep.len()),
             )
             .into());
         }
@@ -85,7 +103,7 @@ impl<'a> Kept<'a> {
             fs::create_dir_all(folder).map_err(at(folder))?;
         }
         let file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(at(path))?;
-        let notes = locked(file.try_lock(), path)?.into_iter().collect();
+        let notes = locked(file.try_lock(), path)?.iter().map(ToString::to_string).collect();
         let all = part.len(sweep.len());
         let (rows, told) = (vec![NOWHERE; all], vec![RunStatistics::default(); all]);
         let files = vec![path.to_owned()];
@@ -93,8 +111,8 @@ impl<'a> Kept<'a> {
         if !fresh {
             kept.end = kept.look_through(0)?;
         } else if !kept.begins_like_rows(&kept.file)? {
-            let allowed = "a file of rows: it does not begin like one, and stays as it is";
-            return Err(Error::refused("--fresh", path.display().to_string(), Message::verbatim(allowed)).into());
+            let allowed = message!("study-file-of-rows", "a file of rows: it does not begin like one, and stays as it is");
+            return Err(Error::refused("--fresh", path.display().to_string(), allowed).into());
         }
         Ok(kept)
     }
@@ -116,7 +134,8 @@ impl<'a> Kept<'a> {
             let bad = damaged(path);
             let mut copy = File::create_new(&bad).map_err(at(&bad))?;
             File::open(path).and_then(|mut file| io::copy(&mut file, &mut copy)).map_err(at(&bad))?;
-            self.notes.push(format!("{}: as it was it is kept as {}", path.display(), bad.display()));
+            let (file, bad) = (path.display().to_string(), bad.display().to_string());
+            self.notes.push(told(&message!("study-kept-as", "{file}: as it was it is kept as {bad}", file, bad)));
         }
         self.file.set_len(self.end).map_err(at(path))?;
         if self.end == 0 {
@@ -155,8 +174,9 @@ impl<'a> Kept<'a> {
             return Ok(());
         }
         if Format::of("--merge", path)? != self.format {
-            let allowed = format!("a file with the ending of {}", self.path().display());
-            return Err(Error::refused("--merge", path.display().to_string(), Message::verbatim(allowed)).into());
+            let file = self.path().display().to_string();
+            let allowed = message!("study-same-ending", "a file with the ending of {file}", file);
+            return Err(Error::refused("--merge", path.display().to_string(), allowed).into());
         }
         self.files.push(path.to_owned());
         self.look_through(self.files.len() - 1).map(|_| ())
@@ -170,11 +190,8 @@ impl<'a> Kept<'a> {
             // Where there are no locks, that is told of the file itself.
             locked(file.try_lock_shared(), &path)?;
         }
-        let other = |problem: String, advice: &str| {
-            let advice = format!("it belongs to another experiment; --out writes elsewhere{advice}");
-            Failure::from(Error::malformed(&path.display().to_string(), Message::verbatim(format!("{problem}: {advice}"))))
-        };
-        let fresh_advice = ", --fresh starts over";
+        let other =
+            |problem: Message, fresh: bool| Failure::from(Error::malformed(&path.display().to_string(), elsewhere(&problem, fresh)));
         let mut reader = BufReader::with_capacity(1 << 16, file);
         reader.rewind().map_err(at(&path))?;
         let heading = self.format.heading(self.sweep).map_err(at(&path))?;
@@ -190,17 +207,19 @@ impl<'a> Kept<'a> {
             let torn = !line.ends_with(b"\n");
             let ours = end > 0 || line.starts_with(&beginning) || torn && beginning.starts_with(&line);
             if !ours {
-                let advice = if self.format.begins(&line) { fresh_advice } else { "" };
                 let problem = if torn || heading.is_empty() {
-                    "it does not begin like a file of rows".to_owned()
+                    message!("study-no-file-of-rows", "it does not begin like a file of rows")
                 } else {
-                    format!("its first line is not {}", String::from_utf8_lossy(&heading).trim_end())
+                    let line = String::from_utf8_lossy(&heading).trim_end().to_owned();
+                    message!("study-first-line", "its first line is not {line}", line)
                 };
-                return Err(other(problem, advice));
+                return Err(other(problem, self.format.begins(&line)));
             }
             if length as u64 > LONGEST_LINE {
-                let problem = format!("line {count} has more than {} KiB, so it is no row; --fresh starts over", LONGEST_LINE >> 10);
-                return Err(Error::malformed(&path.display().to_string(), Message::verbatim(problem)).into());
+                let most = LONGEST_LINE >> 10;
+                let problem =
+                    message!("study-long-line", "line {count} has more than {most} KiB, so it is no row; --fresh starts over", count, most);
+                return Err(Error::malformed(&path.display().to_string(), problem).into());
             }
             if torn {
                 break;
@@ -208,8 +227,11 @@ impl<'a> Kept<'a> {
             if end > 0 || heading.is_empty() {
                 match self.format.read(self.sweep, &line) {
                     Ok((job, told)) => {
-                        let not_here = || format!("line {count}: the run of {} is not in part {}", self.sweep.describe(job), self.part);
-                        let slot = self.part.find(job).ok_or_else(|| other(not_here(), fresh_advice))?;
+                        let not_here = || {
+                            let (run, part) = (self.sweep.describe(job), self.part.to_string());
+                            message!("study-not-in-part", "line {count}: the run of {run} is not in part {part}", count, run, part)
+                        };
+                        let slot = self.part.find(job).ok_or_else(|| other(not_here(), true))?;
                         if self.rows[slot].length == 0 {
                             self.hold(slot, Where { offset: end, length: length as u32, file: number as u32 }, told);
                         } else {
@@ -217,8 +239,10 @@ impl<'a> Kept<'a> {
                             // Reading the row moved the place in the file, which the reader shares.
                             reader.seek(SeekFrom::Start(end + length as u64)).map_err(at(&path))?;
                             if before != line {
-                                let problem = format!("line {count}: the run of {} came out otherwise before", self.sweep.describe(job));
-                                return Err(Error::malformed(&path.display().to_string(), Message::verbatim(problem)).into());
+                                let run = self.sweep.describe(job);
+                                let problem =
+                                    message!("study-run-differs", "line {count}: the run of {run} came out otherwise before", count, run);
+                                return Err(Error::malformed(&path.display().to_string(), problem).into());
                             }
                         }
                     }
@@ -226,14 +250,33 @@ impl<'a> Kept<'a> {
                         damaged += 1;
                         first_damaged.get_or_insert((count, problem));
                     }
-                    Err(Wrong::Other(problem)) => return Err(other(format!("line {count}: {problem}"), fresh_advice)),
+                    Err(Wrong::Other(problem)) => {
+                        return Err(other(message!("study-in-line", "line {count}: {problem}", count, problem), true));
+                    }
                 }
             }
             end += length as u64;
         }
         if let Some((first, problem)) = first_damaged {
-            let more = if damaged > 1 { format!(", and {} more", damaged - 1) } else { String::new() };
-            self.notes.push(format!("{}: line {first} is damaged ({problem}){more}; missing runs are repeated", path.display()));
+            let (file, more) = (path.display().to_string(), damaged - 1);
+            self.notes.push(told(&if more > 0 {
+                message!(
+                    "study-lines-damaged",
+                    "{file}: line {first} is damaged ({problem}), and {more} more; missing runs are repeated",
+                    file,
+                    first,
+                    problem,
+                    more
+                )
+            } else {
+                message!(
+                    "study-line-damaged",
+                    "{file}: line {first} is damaged ({problem}); missing runs are repeated",
+                    file,
+                    first,
+                    problem
+                )
+            }));
             self.damaged |= number == 0;
         }
         Ok(end)
@@ -249,12 +292,19 @@ impl<'a> Kept<'a> {
         if self.count < self.rows.len() {
             return Err(self.disturbed());
         }
-        self.notes.push(format!("{}: another program wrote in it; what it wrote was looked through, too", self.path().display()));
+        let file = self.path().display().to_string();
+        self.notes.push(told(&message!(
+            "study-looked-again",
+            "{file}: another program wrote in it; what it wrote was looked through, too",
+            file
+        )));
         Ok(())
     }
 
     fn disturbed(&self) -> Failure {
-        at(self.path())(io::Error::other("another program wrote over rows in it; when that has ended the same command goes on"))
+        at(self.path())(io::Error::other(
+            message!("study-disturbed", "another program wrote over rows in it; when that has ended the same command goes on").to_string(),
+        ))
     }
 
     fn hold(&mut self, slot: usize, here: Where, told: RunStatistics) {
@@ -340,11 +390,12 @@ impl<'a> Kept<'a> {
         if self.bytes(self.rows[slot])? == line {
             return Ok(());
         }
-        let problem = format!(
-            "the run of {} now gives another row: another version of forage, another scene or another `within`; --fresh starts over",
-            self.sweep.describe(job)
+        let problem = message!(
+            "study-another-row",
+            "the run of {run} now gives another row: another version of forage, another scene or another `within`; --fresh starts over",
+            run = self.sweep.describe(job)
         );
-        Err(Error::malformed(&self.path().display().to_string(), Message::verbatim(problem)).into())
+        Err(Error::malformed(&self.path().display().to_string(), problem).into())
     }
 
     /// Adds a row, in one write, so that it is there whatever happens next.
@@ -365,9 +416,14 @@ impl<'a> Kept<'a> {
     fn check_complete(&self) -> Result<(), Error> {
         let Some(first) = self.missing().next() else { return Ok(()) };
         let (done, total) = self.counts();
-        let found = format!("parts with {done} of {total} runs");
-        let allowed = format!("all parts, complete: {} are missing, the first is that of {}", total - done, self.sweep.describe(first));
-        Err(Error::refused("--merge", found, Message::verbatim(allowed)))
+        let found = message!("study-parts-with", "parts with {done} of {total} runs", done, total);
+        let allowed = message!(
+            "study-all-parts",
+            "all parts, complete: {missing} are missing, the first is that of {run}",
+            missing = total - done,
+            run = self.sweep.describe(first)
+        );
+        Err(Error::refused("--merge", found, allowed))
     }
 
     /// Puts the file in the order of the runs, in one go: until then the old one stays.

@@ -6,6 +6,7 @@ use serde_json::{Map, Value};
 
 use forage::{
     kernel::{Error, Message, ReferenceOptimum},
+    message,
     run::trial::Record,
 };
 
@@ -58,7 +59,11 @@ impl Format {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("csv") => Ok(Self::Csv),
             Some("jsonl" | "ndjson") => Ok(Self::JsonLines),
-            _ => Err(Error::refused(field, path.display().to_string(), Message::verbatim("a file that ends in .csv, .jsonl or .ndjson"))),
+            _ => Err(Error::refused(
+                field,
+                path.display().to_string(),
+                message!("study-rows-ending", "a file that ends in .csv, .jsonl or .ndjson"),
+            )),
         }
     }
 
@@ -125,29 +130,34 @@ impl Format {
         let count = LEAD.len() + sweep.parameters.len() + RESULTS.len();
         let texts: Vec<String> = match self {
             // Where nothing is quoted commas are all there is: a reader of its own for each line would take most of the time.
-            _ if line.trim_ascii().is_empty() => return Err(Wrong::Damaged("it is empty".to_owned())),
+            _ if line.trim_ascii().is_empty() => return Err(Wrong::Damaged(empty())),
             Self::Csv if !line.contains(&b'"') => {
-                let text = str::from_utf8(line).map_err(|problem| damaged(&problem))?;
+                let text = str::from_utf8(line).map_err(|problem| unreadable(&problem))?;
                 text.trim_end_matches('\n').split(',').map(str::to_owned).collect()
             }
             Self::Csv => {
                 let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
-                let record = reader.records().next().ok_or_else(|| damaged(&"it is empty"))?.map_err(|problem| damaged(&problem))?;
+                let record = reader.records().next().ok_or_else(|| damaged(empty()))?.map_err(|problem| unreadable(&problem))?;
                 record.iter().map(str::to_owned).collect()
             }
             Self::JsonLines => {
-                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(|problem| damaged(&problem))?;
+                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(|problem| unreadable(&problem))?;
                 let columns = columns(sweep);
                 let texts = columns.iter().map(|name| fields.remove(name).map(|value| item(&value).text().to_owned()));
-                let texts =
-                    texts.collect::<Option<Vec<_>>>().ok_or_else(|| Wrong::Other(format!("its fields are not {}", columns.join(", "))))?;
+                let texts = texts.collect::<Option<Vec<_>>>().ok_or_else(|| {
+                    Wrong::Other(message!("study-other-fields", "its fields are not {names}", names = columns.join(", ")))
+                })?;
                 if let Some(name) = fields.keys().next() {
-                    return Err(Wrong::Other(format!("it has a field `{name}`")));
+                    return Err(Wrong::Other(message!("study-more-fields", "it has a field `{name}`", name)));
                 }
                 texts
             }
         };
-        if texts.len() == count { Ok(texts) } else { Err(Wrong::Damaged(format!("it has {} values, not {count}", texts.len()))) }
+        if texts.len() == count {
+            Ok(texts)
+        } else {
+            Err(damaged(message!("study-number-of-values", "it has {found} values, not {count}", found = texts.len(), count)))
+        }
     }
 
     /// Which run a line tells of, and what of it.
@@ -161,28 +171,45 @@ impl Format {
         let parameters: Vec<&str> = parameters.iter().map(String::as_str).collect();
         let job = sweep.find(&lead[0], &lead[1], &lead[2], &parameters).ok_or_else(|| {
             let set = sweep.parameters.iter().zip(&parameters).filter(|(_, text)| !text.is_empty());
-            let set: Vec<String> = set.map(|(name, text)| format!(" {name}={text},")).collect();
-            Wrong::Other(format!("there is no run of {} on {},{} seed {}", lead[1], lead[0], set.concat(), lead[2]))
+            let set: String = set.map(|(name, text)| format!(" {name}={text},")).collect();
+            let (scene, planner, seed) = (&lead[0], &lead[1], &lead[2]);
+            Wrong::Other(message!(
+                "study-no-such-run",
+                "there is no run of {planner} on {scene},{set} seed {seed}",
+                planner,
+                scene,
+                set,
+                seed
+            ))
         })?;
         let result = |name: &str| RESULTS.iter().position(|known| *known == name).map_or("", |at| results[at].as_str());
         let (within, ours) = (result("within"), number_text(sweep.within));
         if within != ours {
-            return Err(Wrong::Other(format!("its `within` is {within}, not {ours}")));
+            return Err(Wrong::Other(message!("study-within-differs", "its `within` is {within}, not {ours}", within, ours)));
         }
         let (budget, ours) = (result("budget"), sweep.allowance(job).map_or(String::new(), |budget| budget.to_string()));
         if budget != ours {
-            return Err(Wrong::Other(format!("its `budget` is {}, not {}", shown(budget), shown(&ours))));
+            return Err(Wrong::Other(message!(
+                "study-budget-differs",
+                "its `budget` is {found}, not {ours}",
+                found = shown(budget),
+                ours = shown(&ours)
+            )));
         }
         let number = |name: &str| match result(name) {
             "" => Ok(None),
-            text => text.parse::<f64>().map(Some).map_err(|_| damaged(&format!("{name} is `{text}`, which is no number"))),
+            text => text
+                .parse::<f64>()
+                .map(Some)
+                .map_err(|_| damaged(message!("study-no-number", "{name} is `{text}`, which is no number", name, text))),
         };
         let flag = |name: &str| {
             let text = result(name);
-            text.parse::<bool>().map_err(|_| damaged(&format!("{name} is `{text}`; it must be true or false")))
+            text.parse::<bool>().map_err(|_| damaged(message!("study-no-flag", "{name} is `{text}`; it must be true or false", name, text)))
         };
         let hash = result("hash");
-        u64::from_str_radix(hash, 16).map_err(|_| damaged(&format!("hash is `{hash}`; it must be 16 hexadecimal digits")))?;
+        u64::from_str_radix(hash, 16)
+            .map_err(|_| damaged(message!("study-no-hash", "hash is `{hash}`; it must be 16 hexadecimal digits", hash)))?;
         let by = match result("exact_by") {
             "cells" => ReferenceOptimum::Cells,
             "matrix" => ReferenceOptimum::Matrix,
@@ -192,26 +219,35 @@ impl Format {
         };
         let exact = number("exact")?;
         let (value, reached, deterministic) = (number("value")?, number("reached")?, flag("deterministic")?);
-        let evaluations = number("evaluations")?.ok_or_else(|| damaged(&"evaluations is missing"))?;
+        let evaluations = number("evaluations")?.ok_or_else(|| damaged(message!("study-no-evaluations", "evaluations is missing")))?;
         Ok((job, RunStatistics { value, reached, evaluations, measured: exact.is_some(), zero: exact == Some(0.0), by, deterministic }))
     }
 }
 
-fn shown(budget: &str) -> &str {
-    if budget.is_empty() { "that of its own iterations" } else { budget }
+fn shown(budget: &str) -> Message {
+    if budget.is_empty() { message!("study-own-budget", "that of its own iterations") } else { Message::verbatim(budget) }
 }
 
 /// What is wrong with a line.
 #[derive(Debug)]
 pub(super) enum Wrong {
     /// It is no row.
-    Damaged(String),
+    Damaged(Message),
     /// It is a row of something else.
-    Other(String),
+    Other(Message),
 }
 
-fn damaged(problem: &impl ToString) -> Wrong {
-    Wrong::Damaged(problem.to_string())
+fn empty() -> Message {
+    message!("study-it-is-empty", "it is empty")
+}
+
+/// What a reader says.
+fn unreadable(problem: &impl ToString) -> Wrong {
+    Wrong::Damaged(Message::verbatim(problem.to_string()))
+}
+
+fn damaged(problem: Message) -> Wrong {
+    Wrong::Damaged(problem)
 }
 
 /// What the statistics need of a run.

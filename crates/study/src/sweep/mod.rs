@@ -15,6 +15,7 @@ pub mod plan;
 pub mod read;
 pub mod summary;
 mod text;
+mod titles;
 
 use std::{
     path::PathBuf,
@@ -25,7 +26,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use forage::{
     Setup,
-    kernel::{Error, Message, Stepped},
+    kernel::{Error, Stepped},
+    message,
     run::{
         Improvement,
         trial::{Record, Trial},
@@ -147,10 +149,12 @@ fn check_curves(kept: &Kept, curves: Option<&Curves>) -> Result<(), Failure> {
     match curves.missing(kept)?.len() {
         0 => Ok(()),
         missing => {
-            let allowed = Message::verbatim(format!(
-                "left out: {missing} of {} runs have no kept curve; without --merge they are run again",
-                kept.counts().1
-            ));
+            let allowed = message!(
+                "study-curves-missing",
+                "left out: {missing} of {all} runs have no kept curve; without --merge they are run again",
+                missing,
+                all = kept.counts().1
+            );
             Err(Error::refused("--curves", curves.path().display().to_string(), allowed).into())
         }
     }

@@ -2,12 +2,7 @@
 
 use std::{collections::BTreeMap, fmt, str::FromStr, sync::Arc};
 
-use forage::{
-    Overrides, Registry, Scene, Setup, Value,
-    kernel::{Error, Message},
-    params::Parameters,
-    run::Spending,
-};
+use forage::{Overrides, Registry, Scene, Setup, Value, kernel::Error, message, params::Parameters, run::Spending};
 
 use super::text::value_text;
 
@@ -238,15 +233,15 @@ impl Sweep {
     pub(super) fn placed(&self, cell: usize, error: Error) -> Error {
         let Place { planner, scene, .. } = self.place(cell);
         let variants = &self.planners[planner];
-        let on = format!("({} on {})", variants.planner, self.scenes[scene].name());
+        let on = message!("study-planner-on-scene", "{planner} on {scene}", planner = variants.planner, scene = self.scenes[scene].name());
         match error {
             Error::Refused { field, value, allowed } => {
                 let is_parameter = self.values(planner, 0).iter().any(|(name, _)| *name == field);
                 let place = if is_parameter { format!("planner[{planner}].params.{field}") } else { format!("scenes[{scene}].{field}") };
-                Error::Refused { field: place, value, allowed: Message::verbatim(format!("{allowed} {on}")) }
+                Error::Refused { field: place, value, allowed: message!("study-allowed-on", "{allowed} ({on})", allowed, on) }
             }
             Error::Unknown { value, known, .. } => {
-                Error::Unknown { field: format!("planner[{planner}].params"), value, known: format!("{known} {on}") }
+                Error::Unknown { field: format!("planner[{planner}].params"), value, known: format!("{known} ({on})") }
             }
             other => other.within(&format!("planner[{planner}]")),
         }
@@ -361,7 +356,7 @@ impl FromStr for Part {
         let numbers = text.split_once('/').and_then(|(index, of)| Some((index.parse().ok()?, of.parse().ok()?)));
         match numbers {
             Some((index, of)) if (1..=of).contains(&index) && of <= MOST => Ok(Self { index, of }),
-            _ => Err(Error::refused("--shard", text, Message::verbatim("I/N, the I-th of N parts, I from 1 to N"))),
+            _ => Err(Error::refused("--shard", text, message!("study-part", "I/N, the I-th of N parts, I from 1 to N"))),
         }
     }
 }

@@ -1,15 +1,13 @@
 //! What the rows of a sweep have in common, and whether planners differ.
 
-use std::{
-    fmt::Write,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
 use forage::{
     Overrides, Registry,
-    kernel::ReferenceOptimum,
+    kernel::{Message, ReferenceOptimum, message::in_english},
+    message,
     statistics::{
         Attempt, Comparison, Friedman, Group, GroupSummary, Pair, RunningTime, comparable, compare, friedman, homogeneous_groups,
         proportion,
@@ -22,12 +20,13 @@ use super::{
         failure::Failure,
         plot::{self, Ranked},
         ranking::letters,
-        table::{Cell, Table, p_is, probability, significant},
+        table::{Cell, Say, Table, as_it_is, probability},
     },
     kept::Kept,
     line::RunStatistics,
     plan::Pairs,
     text::value_text,
+    titles::rank_title,
 };
 
 /// With more groups than this, pairs are not tested.
@@ -158,18 +157,8 @@ impl SweepStatistics {
     }
 
     fn ranked(&self, friedman: &Friedman) -> Table {
-        let mut title = format!("Mean ranks over {} blocks, scene × seed (Friedman)", friedman.blocks);
-        if let (Some(statistic), Some(p)) = (friedman.statistic, friedman.p) {
-            let _ = write!(title, ": χ² = {}, {}", significant(statistic, 4), p_is(p));
-        }
+        let title = rank_title(friedman);
         let difference = friedman.critical_difference;
-        if let Some(difference) = difference {
-            let _ = write!(
-                title,
-                "; they differ significantly from {} on (Nemenyi, 5 %); planners that share a letter do not differ",
-                significant(difference, 3)
-            );
-        }
         let groups_alike = difference.map_or(Vec::new(), |difference| homogeneous_groups(&friedman.ranks, difference));
         let mut table = Table::new("ranks", title, &["planner", "mean rank", "group"]);
         let groups = self.scenes.first().map_or(&[] as &[GroupStatistics], |scene| &scene.groups);
@@ -195,28 +184,31 @@ impl SweepStatistics {
         Ok(true)
     }
 
-    fn heading(&self) -> String {
-        format!("{}: {} runs in {}", escape(&self.name), self.runs, path_text(&self.rows))
+    fn heading(&self) -> Message {
+        let (name, runs, rows) = (escape(&self.name), self.runs, path_text(&self.rows));
+        message!("study-sweep", "{name}: {runs} runs in {rows}", name, runs, rows)
     }
 
-    /// For a terminal.
-    pub fn text(&self) -> String {
+    /// For a terminal, in the language that is spoken; `say`: how words in English are said.
+    pub fn text(&self, say: Say<'_>) -> String {
         let mut text = format!("{}\n", self.heading());
-        self.tables().iter().for_each(|table| text.extend(["\n", &table.text()]));
-        self.notes().iter().for_each(|note| text.extend(["\n", note, "\n"]));
+        self.tables().iter().for_each(|table| text.extend(["\n", &table.text(say)]));
+        self.notes(say).iter().for_each(|note| text.extend(["\n", &note.text(), "\n"]));
         text
     }
 
-    /// For a document.
+    /// For a document, in English.
     pub fn markdown(&self) -> String {
-        let mut text = format!("# {}\n", self.heading());
-        self.tables().iter().for_each(|table| text.extend(["\n", &table.markdown()]));
-        self.notes().iter().for_each(|note| text.extend(["\n", note, "\n"]));
-        escape_lines(&text)
+        in_english(|| {
+            let mut text = format!("# {}\n", self.heading());
+            self.tables().iter().for_each(|table| text.extend(["\n", &table.markdown()]));
+            self.notes(&as_it_is).iter().for_each(|note| text.extend(["\n", &note.text(), "\n"]));
+            escape_lines(&text)
+        })
     }
 
     /// What an evaluation is, where it decides how long runs are.
-    fn evaluations(&self) -> Option<String> {
+    fn evaluations(&self, say: Say<'_>) -> Option<Message> {
         let scene = self.scenes.iter().find(|scene| scene.budget.is_some())?;
         let mut things: Vec<(&str, Vec<&str>)> = Vec::new();
         for GroupStatistics { planner, evaluation, .. } in scene.groups.iter().filter(|group| !group.evaluation.is_empty()) {
@@ -228,33 +220,50 @@ impl SweepStatistics {
         }
         let what = match &things[..] {
             [] => return None,
-            [(thing, _)] => format!("An evaluation is {thing}."),
+            [(thing, _)] => message!("study-evaluation", "An evaluation is {thing}.", thing = say(thing)),
             _ => {
-                let things: Vec<_> = things.iter().map(|(thing, whose)| format!("{thing} ({})", whose.join(", "))).collect();
-                format!("Evaluations are of different kinds: {}.", things.join("; "))
+                let thing = |(thing, whose): &(&str, Vec<&str>)| {
+                    message!("study-evaluation-of", "{thing} ({planners})", thing = say(thing), planners = whose.join(", "))
+                };
+                let joined = |first: Message, second: Message| message!("study-and-then", "{first}; {second}", first, second);
+                let things = things.iter().map(thing).reduce(joined).unwrap_or_default();
+                message!("study-evaluations", "Evaluations are of different kinds: {things}.", things)
             }
         };
-        Some(format!("{what} An iteration that was begun is finished."))
+        Some(what.then(message!("study-finished", "An iteration that was begun is finished.")))
     }
 
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, say: Say<'_>) -> Vec<Message> {
         let groups = self.scenes.first().map_or(0, |scene| scene.groups.len());
         let mut notes = Vec::new();
-        notes.extend(self.evaluations());
+        notes.extend(self.evaluations(say));
         notes.extend(self.scenes.iter().filter_map(SceneStatistics::overspent));
         for scene in &self.scenes {
             let names = scene.groups.iter().filter(|group| !group.draws_lots).map(|group| group.summary.name.as_str());
             let names: Vec<&str> = names.collect();
             if !names.is_empty() {
-                let all = if names.len() > MOST_PAIRED { format!("{} planners and parameters", names.len()) } else { names.join(", ") };
-                notes.push(format!("{}: no tests and intervals for what is deterministic: {all}.", scene.scene));
+                let n = names.len();
+                let many = || message!("study-planners-and-parameters", "{n} planners and parameters", n);
+                let names = if n > MOST_PAIRED { many() } else { Message::verbatim(names.join(", ")) };
+                let scene = &scene.scene;
+                notes.push(message!(
+                    "study-deterministic",
+                    "{scene}: no tests and intervals for what is deterministic: {names}.",
+                    scene,
+                    names
+                ));
             }
         }
         if groups > MOST_PAIRED {
-            notes.push(format!("No tests between {groups} planners and parameters: pairs are tested up to {MOST_PAIRED}."));
+            notes.push(message!(
+                "study-no-tests",
+                "No tests between {groups} planners and parameters: pairs are tested up to {most}.",
+                groups,
+                most = MOST_PAIRED
+            ));
         }
         if groups > MOST_RANKED {
-            notes.push(format!("No mean ranks: {groups} are more than {MOST_RANKED}."));
+            notes.push(message!("study-no-ranks", "No mean ranks: {groups} are more than {most}.", groups, most = MOST_RANKED));
         }
         notes
     }
@@ -328,24 +337,11 @@ impl SceneStatistics {
             "reached %",
             "optimum",
         ];
-        let number = |number: f64| value_text(&forage::Value::Number(number));
-        let near = if self.by_difference {
-            format!("{} of the exact optimum", number(within))
-        } else {
-            format!("{} % of the exact optimum", number(100.0 * within))
-        };
         let mut measured = self.groups.iter().filter_map(|group| group.exact_by);
         let first = measured.next();
         let differ = measured.any(|by| Some(by) != first);
-        let whose = if differ { ", which is not the same for all: see the last column" } else { "" };
-        let budget =
-            self.budget.map_or("each with its own iterations".to_owned(), |budget| format!("with a budget of {budget} evaluations"));
-        let title = format!(
-            "{}: values of the feasible runs, {budget}; evaluations: median and most; from, to: 95 % confidence; reached: within {near}{whose}",
-            self.scene
-        );
         let columns = if differ { &COLUMNS[..] } else { &COLUMNS[..17] };
-        let mut table = Table::new(self.scene.clone(), title, columns);
+        let mut table = Table::new(self.scene.clone(), self.title(within, differ), columns);
         for group in &self.groups {
             let GroupSummary { runs, rate, rate_interval, summary, .. } = &group.summary;
             let of = |number: Option<f64>| number.map_or(Cell::Empty, shown);
@@ -379,14 +375,48 @@ impl SceneStatistics {
         table
     }
 
+    /// What the table shows; `differ`: planners are measured by different optima.
+    fn title(&self, within: f64, differ: bool) -> Message {
+        let number = |number: f64| value_text(&forage::Value::Number(number));
+        let near = if self.by_difference {
+            message!("study-near", "{near} of the exact optimum", near = number(within))
+        } else {
+            message!("study-near-percent", "{near} % of the exact optimum", near = number(100.0 * within))
+        };
+        let near =
+            if differ { message!("study-near-differs", "{near}, which is not the same for all: see the last column", near) } else { near };
+        let budget = match self.budget {
+            None => message!("study-own-iterations", "each with its own iterations"),
+            Some(budget) => message!("study-with-budget", "with a budget of {budget} evaluations", budget),
+        };
+        let scene = &self.scene;
+        message!(
+            "study-values",
+            "{scene}: values of the feasible runs, {budget}; evaluations: median and most; from, to: 95 % confidence; reached: within {near}",
+            scene,
+            budget,
+            near
+        )
+    }
+
     /// Which planners took far more evaluations than the budget has.
-    fn overspent(&self) -> Option<String> {
+    fn overspent(&self) -> Option<Message> {
         let budget = self.budget? as f64;
         let over = self.groups.iter().filter(|group| group.evaluations[1] > OVER * budget);
-        let named: Vec<String> = over.map(|group| format!("{} (up to {:.0})", group.summary.name, group.evaluations[1])).collect();
-        (!named.is_empty()).then(|| {
-            format!("{}: more than the budget, in the first state or in an iteration that was begun: {}.", self.scene, named.join(", "))
-        })
+        let named = over.map(|group| {
+            let (name, most) = (&group.summary.name, group.evaluations[1]);
+            message!("study-up-to", "{name} (up to {most:.0})", name, most).to_string()
+        });
+        let (names, scene) = (named.collect::<Vec<_>>().join(", "), &self.scene);
+        let said = || {
+            message!(
+                "study-overspent",
+                "{scene}: more than the budget, in the first state or in an iteration that was begun: {names}.",
+                scene,
+                names
+            )
+        };
+        (!names.is_empty()).then(said)
     }
 
     /// How many runs came near enough to the optimum, and how soon, if there is one.
@@ -395,9 +425,10 @@ impl SceneStatistics {
         if measured.is_empty() {
             return None;
         }
-        let title = format!(
-            "{}: runs that came near enough to the optimum, and the expected evaluations until one does; from, to: 95 % confidence",
-            self.scene
+        let title = message!(
+            "study-times",
+            "{scene}: runs that came near enough to the optimum, and the expected evaluations until one does; from, to: 95 % confidence",
+            scene = self.scene
         );
         let columns = ["planner", "reached %", "from", "to", "evaluations", "from", "to"];
         let mut table = Table::new(format!("{}-times", self.scene), title, &columns);
@@ -423,7 +454,12 @@ impl SceneStatistics {
     /// The tests, if there are two to test.
     fn paired(&self) -> Option<Table> {
         let pairs = self.pairs.as_ref().filter(|pairs| !pairs.is_empty())?;
-        let title = format!("{}: Wilcoxon’s rank-sum test of every pair; corrected for {} tests (Holm)", self.scene, pairs.len());
+        let title = message!(
+            "study-pairs",
+            "{scene}: Wilcoxon’s rank-sum test of every pair; corrected for {tests} tests (Holm)",
+            scene = self.scene,
+            tests = pairs.len()
+        );
         let mut table = Table::new(format!("{}-tests", self.scene), title, &["first", "second", "U", "p", "corrected p", "first better %"]);
         for Pair { first, second, u, p, corrected, better } in pairs {
             table.rows.push(vec![

@@ -17,7 +17,10 @@ class Offline {
       }
     })
     // Where it may not be kept (a private window, no room) the page works all the same.
-    await workbox.register({ immediate: true }).catch(() => undefined)
+    const registered = await workbox.register({ immediate: true }).catch(() => undefined)
+    // Whoever installs it wants all of it without a network; on others the page in one file is not pressed.
+    if (registered && matchMedia('(display-mode: standalone)').matches)
+      void workbox.active.then(() => workbox.messageSW({ type: 'KEEP_FILE' }))
   }
 }
 

@@ -9,6 +9,7 @@ use forage::{
     Error,
     geometry::{YAxis, length as along},
     kernel::Message,
+    message,
     scene::{GridScene, Motion, Moving, Robot},
 };
 
@@ -59,10 +60,11 @@ pub struct World {
 }
 
 /// Worlds by their number, and notes of those that cannot be read.
-pub(super) fn worlds(folder: &Path, radius: f64) -> Result<(Vec<World>, Vec<String>), Failure> {
+pub(super) fn worlds(folder: &Path, radius: f64) -> Result<(Vec<World>, Vec<Message>), Failure> {
     let base = [folder.join("jackal_helper"), folder.to_owned()].into_iter().find(|base| base.join("worlds").is_dir());
     let base = base.ok_or_else(|| {
-        let allowed = Message::verbatim("a copy of the repository Daffan/the-barn-challenge, with its folder jackal_helper/worlds");
+        let allowed =
+            message!("study-barn-folder", "a copy of the repository Daffan/the-barn-challenge, with its folder jackal_helper/worlds");
         Error::refused("DIR", folder.display().to_string(), allowed)
     })?;
     let (mut worlds, mut notes) = (Vec::new(), Vec::new());
@@ -73,12 +75,12 @@ pub(super) fn worlds(folder: &Path, radius: f64) -> Result<(Vec<World>, Vec<Stri
             let world = if first == 0 { standing(&folder, number, &text, radius) } else { moving(&base, number, &text, radius)? };
             match world {
                 Ok(world) => worlds.push(world),
-                Err(note) => notes.push(format!("{}: {note}", file.display())),
+                Err(note) => notes.push(message!("study-at", "{file}: {note}", file = file.display().to_string(), note)),
             }
         }
     }
     if worlds.is_empty() {
-        let allowed = Message::verbatim("a folder with worlds/BARN/world_0.world and others");
+        let allowed = message!("study-barn-worlds", "a folder with worlds/BARN/world_0.world and others");
         return Err(Error::refused("DIR", folder.display().to_string(), allowed).into());
     }
     Ok((worlds, notes))
@@ -148,17 +150,19 @@ fn grid(low: [f64; 2], high: [f64; 2], cell: f64, blocked: &[([f64; 2], f64)], e
     grid
 }
 
-fn standing(folder: &Path, number: usize, text: &str, radius: f64) -> Result<World, String> {
+fn standing(folder: &Path, number: usize, text: &str, radius: f64) -> Result<World, Message> {
     let blocked: Vec<([f64; 2], f64)> = cylinders(text).into_iter().map(|(center, own, _)| (center, own)).collect();
     if number >= MOVES {
-        return Err(format!("static worlds are numbered up to {}", MOVES - 1));
+        return Err(message!("study-world-number", "static worlds are numbered up to {most}", most = MOVES - 1));
     }
     if blocked.iter().any(|&(center, own)| center.iter().chain([&own]).any(|number| !(-FAR..=FAR).contains(number))) {
-        return Err(format!("a cylinder is more than {FAR} m away or large, or its numbers are none"));
+        return Err(message!("study-cylinder-far", "a cylinder is more than {far} m away or large, or its numbers are none", far = FAR));
     }
     let path = folder.join(format!("path_files/path_{number}.npy"));
     let length = fs::read(&path).ok().and_then(|bytes| path_length(&bytes));
-    let Some(length) = length else { return Err(format!("its path, {}, cannot be read", path.display())) };
+    let Some(length) = length else {
+        return Err(message!("study-world-path", "its path, {path}, cannot be read", path = path.display().to_string()));
+    };
     // A metre around all that stands, and around both ends.
     let all = || blocked.iter().map(|(center, _)| *center).chain(STATIC);
     let low = [0, 1].map(|axis| all().map(|point| point[axis]).fold(f64::INFINITY, f64::min) - 1.0);
@@ -168,14 +172,16 @@ fn standing(folder: &Path, number: usize, text: &str, radius: f64) -> Result<Wor
     Ok(World { set: "BARN", number, grid, cylinders, length })
 }
 
-fn moving(base: &Path, number: usize, text: &str, radius: f64) -> Result<Result<World, String>, Failure> {
+fn moving(base: &Path, number: usize, text: &str, radius: f64) -> Result<Result<World, Message>, Failure> {
     // The obstacles keep within 10 m of the middle; the robot sets out behind.
     let (low, high) = ([-13.0, -12.0], [13.0, 12.0]);
     let mut grid = grid(low, high, CELLS[1], &[], MOVING, radius);
     for (_, own, plugin) in cylinders(text) {
-        let Some(plugin) = plugin else { return Ok(Err("an obstacle does not move".to_owned())) };
+        let Some(plugin) = plugin else { return Ok(Err(message!("study-obstacle-still", "an obstacle does not move"))) };
         let file = base.join("plugins").join(&plugin);
-        let Some(animation) = Animation::read(&file)? else { return Ok(Err(format!("the motion of {plugin} cannot be read"))) };
+        let Some(animation) = Animation::read(&file)? else {
+            return Ok(Err(message!("study-motion-unreadable", "the motion of {plugin} cannot be read", plugin)));
+        };
         let course = animation.course(LIMIT, 100.0);
         let place = |&[time, x, y]: &[f64; 3]| [time, x - low[0], y - low[1]];
         let [_, x, y] = place(&course[0]);

@@ -20,6 +20,7 @@ use forage::{
     describe::layers,
     geometry::{distance_squared, length},
     kernel::Message,
+    message,
     scene::{Header, grid},
 };
 
@@ -48,7 +49,7 @@ const TIME_LIMIT: &str = "time_limit";
 pub struct Plan {
     folder: PathBuf,
     worlds: Vec<Arc<World>>,
-    notes: Vec<String>,
+    notes: Vec<Message>,
     radius: f64,
 }
 
@@ -71,7 +72,7 @@ impl Plan {
         let (worlds, notes) = worlds(folder, radius)?;
         let worlds: Vec<_> = worlds.into_iter().filter(|world| world.number % every.max(1) == 0).map(Arc::new).collect();
         if worlds.is_empty() {
-            let allowed = Message::verbatim("a divisor of the number of at least one world");
+            let allowed = message!("study-divisor", "a divisor of the number of at least one world");
             return Err(Error::refused("--every", every, allowed).into());
         }
         Ok(Self { folder: folder.to_owned(), worlds, notes, radius })
@@ -92,7 +93,7 @@ impl Suite for Plan {
         let mut all = Vec::new();
         for contender in contenders {
             if let Some(limit) = contender.params.get(TIME_LIMIT) {
-                let allowed = Message::verbatim(format!("left out: the challenge gives {LIMIT} s"));
+                let allowed = message!("study-challenge-limit", "left out: the challenge gives {limit} s", limit = LIMIT);
                 return Err(Error::refused(TIME_LIMIT, limit.to_string(), allowed).within(&contender.planner));
             }
             let contender = Arc::new(contender.clone());
@@ -118,7 +119,7 @@ impl Suite for Plan {
         report::table(rows, &self.folder)
     }
 
-    fn notes(&self) -> &[String] {
+    fn notes(&self) -> &[Message] {
         &self.notes
     }
 }

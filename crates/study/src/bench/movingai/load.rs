@@ -6,7 +6,7 @@ use std::{
     sync::{Arc, Mutex, PoisonError},
 };
 
-use forage::{Error, kernel::Message, scene::GridScene};
+use forage::{Error, kernel::Message, message, scene::GridScene};
 use forage_formats::{
     NamedFile,
     movingai::{self, Problem},
@@ -36,7 +36,7 @@ pub(super) struct Scenario {
 pub(super) struct ScenarioFolder {
     pub scenarios: Vec<Scenario>,
     /// What is not run, and why.
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
     maps: Vec<PathBuf>,
     /// Those that were needed last.
     recent: Mutex<VecDeque<(usize, Arc<GridScene>)>>,
@@ -67,7 +67,9 @@ impl ScenarioFolder {
             let named = movingai::map_of(&file)?.to_owned();
             match find(&named, path, &found.maps).and_then(|map| found.maps.iter().position(|one| one == map)) {
                 Some(map) => by_map.entry(map).or_default().push((name, file)),
-                None => found.notes.push(format!("{name} is not run: its map {named} is not in the folder")),
+                None => {
+                    found.notes.push(message!("study-map-missing", "{name} is not run: its map {named} is not in the folder", name, named));
+                }
             }
         }
         for (index, files) in by_map {
@@ -80,10 +82,10 @@ impl ScenarioFolder {
         found.scenarios.sort_by(|a, b| a.name.cmp(&b.name));
         if found.scenarios.iter().all(|scenario| scenario.problems.is_empty()) {
             let problem = match found.notes.first() {
-                None => "no .scen file is in the folder".to_owned(),
-                Some(first) => format!("no problem can be run: {first}"),
+                None => message!("study-no-scen", "no .scen file is in the folder"),
+                Some(first) => message!("study-no-problem", "no problem can be run: {first}", first),
             };
-            return Err(Error::malformed(&folder.display().to_string(), Message::verbatim(problem)).into());
+            return Err(Error::malformed(&folder.display().to_string(), problem).into());
         }
         Ok(found)
     }
@@ -97,8 +99,12 @@ impl ScenarioFolder {
         let problems: Vec<_> = lines.into_iter().map(|(_, problem)| problem).enumerate().filter(|(_, p)| can_be_run(p)).collect();
         let left = all - problems.len();
         if left > 0 {
-            self.notes.push(format!(
-                "{left} of {all} problems of {name} are not run: they begin or end in blocked cells (W is one), or start and goal are the same cell"
+            self.notes.push(message!(
+                "study-problems-not-run",
+                "{left} of {all} problems of {name} are not run: they begin or end in blocked cells (W is one), or start and goal are the same cell",
+                left,
+                all,
+                name
             ));
         }
         Ok(Scenario { name, map: index, cells: map.blocked.len() as u64, problems })
@@ -113,7 +119,7 @@ impl ScenarioFolder {
         let path = &self.maps[index];
         let refused = |failure: Failure| match failure {
             Failure::Refused(error) => error,
-            other => Error::malformed(&path.display().to_string(), Message::verbatim(other.to_string())),
+            other => Error::malformed(&path.display().to_string(), other.message()),
         };
         let map = Arc::new(map(path).map_err(refused)?);
         // What follows from the cells is made here, and not in the time of the run that needs it first.

@@ -17,6 +17,7 @@ use std::{
 
 use forage::{
     Error, Registry, Run, Setup, Status,
+    kernel::Message,
     scene::{GRID, GridScene, Header, grid},
 };
 use forage_formats::movingai::Problem;
@@ -121,11 +122,11 @@ impl Suite for Plan {
         report::planners(rows)
     }
 
-    fn faults(&self, rows: &[Row]) -> Vec<String> {
+    fn faults(&self, rows: &[Row]) -> Vec<Message> {
         rows.iter().filter(|row| row.is_fault()).map(Row::fault).collect()
     }
 
-    fn notes(&self) -> &[String] {
+    fn notes(&self) -> &[Message] {
         &self.folder.notes
     }
 }

@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use forage::statistics::Summary;
+use forage::{kernel::Message, statistics::Summary};
 use plotters::chart::SeriesLabelPosition;
 
 use super::{
@@ -123,7 +123,7 @@ fn curves(rows: &[Row], of: impl Fn(&Aggregate) -> Option<f64>) -> Vec<Curve> {
 }
 
 /// Writes the report, its pictures and the table by bucket.
-pub(super) fn write(rows: &[Row], notes: &[String], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+pub(super) fn write(rows: &[Row], notes: &[Message], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let [report, time, gap, by_bucket] = ["report.md", "time.svg", "gap.svg", "buckets.csv"].map(|name| folder.join(name));
     let x = || Axis::linear("bucket: length / 4", 0.0, rows.iter().map(|row| row.bucket as f64));
     let values = |curves: &[Curve]| curves.iter().flat_map(|curve| curve.points.iter().map(|(_, y)| *y)).collect::<Vec<_>>();

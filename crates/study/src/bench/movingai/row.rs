@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use forage::{kernel::Message, message};
+
 use super::super::{super::rows::KeyedRow, suite::planner_label};
 
 /// How far a length may be from the file's optimum and still be it.
@@ -60,9 +62,17 @@ impl Row {
     }
 
     /// What is wrong with it.
-    pub(super) fn fault(&self) -> String {
-        let found = self.length.map_or("no way".to_owned(), |length| format!("a way of {length}"));
-        format!("{}: {found}, the optimum is {}", self.key(), self.optimum)
+    pub(super) fn fault(&self) -> Message {
+        missed(self)
+    }
+}
+
+fn missed(run: &Row) -> Message {
+    let (row, optimum) = (run.key(), run.optimum);
+    if let Some(length) = run.length {
+        message!("study-way-no-optimum", "{row}: a way of {length}, the optimum is {optimum}", row, length, optimum)
+    } else {
+        message!("study-no-way", "{row}: no way, the optimum is {optimum}", row, optimum)
     }
 }
 

@@ -13,8 +13,7 @@ use std::{
 };
 
 use forage::{
-    Error, Registry, Run, Scene, Setup, Status,
-    kernel::Message,
+    Error, Registry, Run, Scene, Setup, Status, message,
     scene::{ARM, DISCS, GRID},
 };
 
@@ -69,7 +68,7 @@ impl Plan {
         }
         for (k, scene) in scenes.iter().enumerate() {
             if scenes[..k].iter().any(|other| safe_file_name(other.name()) == safe_file_name(scene.name())) {
-                let allowed = Message::verbatim("a unique name: files are named after it");
+                let allowed = message!("study-unique-name", "a unique name: files are named after it");
                 return Err(Error::refused("scene", scene.name(), allowed));
             }
         }
@@ -108,7 +107,11 @@ impl Suite for Plan {
         }
         let idle = |scene: &&Arc<Scene>| !all.iter().any(|task| task.scene.name() == scene.name());
         if let Some(scene) = self.scenes.iter().find(idle).filter(|_| self.named || all.is_empty()) {
-            return Err(Error::refused("scene", scene.name(), Message::verbatim("a scene on which one of the planners runs")));
+            return Err(Error::refused(
+                "scene",
+                scene.name(),
+                message!("study-scene-of-planners", "a scene on which one of the planners runs"),
+            ));
         }
         Ok(all)
     }

@@ -2,7 +2,7 @@
 
 use std::{path::Path, sync::Arc};
 
-use forage::{Error, Registry, kernel::Message, scene::TourScene};
+use forage::{Error, Registry, kernel::Message, message, scene::TourScene};
 
 use super::super::{
     super::failure::Failure,
@@ -25,7 +25,7 @@ fn published(name: &str) -> Option<f64> {
 }
 
 /// The instances in a folder with at most `largest` stops, by their number of stops, and what there is to say of them.
-pub(super) fn instances(registry: &Registry, folder: &Path, largest: Option<usize>) -> Result<(Vec<Arc<Instance>>, Vec<String>), Failure> {
+pub(super) fn instances(registry: &Registry, folder: &Path, largest: Option<usize>) -> Result<(Vec<Arc<Instance>>, Vec<Message>), Failure> {
     let (mut all, mut notes) = (Vec::new(), Vec::new());
     let (mut larger, mut unknown) = (0, Vec::new());
     for path in files_in(folder, "tsp")? {
@@ -51,15 +51,18 @@ pub(super) fn instances(registry: &Registry, folder: &Path, largest: Option<usiz
         all.push(Arc::new(Instance { name, tour, optimum }));
     }
     if all.is_empty() {
-        let problem =
-            if larger > 0 { format!("all {larger} instances have more stops") } else { "no .tsp file is in the folder".to_owned() };
-        return Err(Error::malformed(&folder.display().to_string(), Message::verbatim(problem)).into());
+        let problem = if larger > 0 {
+            message!("study-all-larger", "all {larger} instances have more stops", larger)
+        } else {
+            message!("study-no-tsp", "no .tsp file is in the folder")
+        };
+        return Err(Error::malformed(&folder.display().to_string(), problem).into());
     }
     if larger > 0 {
-        notes.push(format!("{larger} instances with more stops are not run"));
+        notes.push(message!("study-larger", "{larger} instances with more stops are not run", larger));
     }
     if !unknown.is_empty() {
-        notes.push(format!("no optimum is published of {}", unknown.join(", ")));
+        notes.push(message!("study-no-optimum", "no optimum is published of {names}", names = unknown.join(", ")));
     }
     all.sort_by(|a, b| a.tour.len().cmp(&b.tour.len()).then_with(|| a.name.cmp(&b.name)));
     Ok((all, notes))

@@ -18,6 +18,7 @@ use std::{
 use forage::{
     Error, Registry, Run, Setup, Status,
     kernel::Message,
+    message,
     scene::{Header, TOUR, TourScene, tour},
 };
 
@@ -43,7 +44,7 @@ pub const BUDGET: u64 = 1_000;
 /// The instances of a folder.
 pub struct Plan {
     instances: Vec<Arc<Instance>>,
-    notes: Vec<String>,
+    notes: Vec<Message>,
     budget: u64,
     runs: u64,
 }
@@ -127,7 +128,7 @@ impl Suite for Plan {
         }
         if all.is_empty() {
             let names: Vec<String> = contenders.iter().map(Contender::name).collect();
-            let allowed = Message::verbatim("a planner that takes as many stops as an instance has");
+            let allowed = message!("study-planner-of-stops", "a planner that takes as many stops as an instance has");
             return Err(Error::refused("--planners", names.join(","), allowed));
         }
         Ok(all)
@@ -141,11 +142,11 @@ impl Suite for Plan {
         report::planners(&self.measured(rows))
     }
 
-    fn faults(&self, rows: &[Row]) -> Vec<String> {
+    fn faults(&self, rows: &[Row]) -> Vec<Message> {
         self.measured(rows).iter().filter_map(Row::fault).collect()
     }
 
-    fn notes(&self) -> &[String] {
+    fn notes(&self) -> &[Message] {
         &self.notes
     }
 }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use forage::{kernel::Message, message};
+
 use super::super::{super::rows::KeyedRow, suite::planner_label};
 
 /// The result of a run.
@@ -44,10 +46,14 @@ impl Row {
     }
 
     /// What must not be: a tour that is shorter than the shortest.
-    pub(super) fn fault(&self) -> Option<String> {
+    pub(super) fn fault(&self) -> Option<Message> {
         let (length, optimum) = (self.length?, self.optimum?);
-        (length < optimum - 1e-6).then(|| format!("{}: {length} is shorter than the published optimum, {optimum}", self.key()))
+        (length < optimum - 1e-6).then(|| shorter(&self.key(), length, optimum))
     }
+}
+
+fn shorter(row: &str, length: f64, optimum: f64) -> Message {
+    message!("study-shorter", "{row}: {length} is shorter than the published optimum, {optimum}", row, length, optimum)
 }
 
 impl KeyedRow for Row {
