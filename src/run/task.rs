@@ -77,8 +77,7 @@ impl Task {
     /// # Errors
     /// The field, what it holds and what is allowed.
     pub fn read(registry: &Registry, text: &str) -> Result<Self, Error> {
-        let json: Json =
-            serde_json::from_str(text).map_err(|problem| Error::malformed("task", Message::verbatim(format!("not JSON: {problem}"))))?;
+        let json: Json = crate::kernel::json::parse("task", text)?;
         let json = if json["format"] == "forage-lesson" { task_of(json) } else { json };
         let mut fields = Fields::of("task", json, message!("task-object", "an object with goal, budget and what is given"))?;
         let goal = goal(&fields.take("goal"))?;

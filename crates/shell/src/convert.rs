@@ -17,11 +17,11 @@ use forage_formats::{self as formats, ENDINGS, Format, NamedFile};
 
 use super::{
     args::ConvertArgs,
-    failure::{self, Failure, Outcome},
+    failure::{Failure, Outcome},
     files::{self, Role},
     kinds, load,
     output::{note, notes},
-    text::{listed, shorten, together},
+    text::{self, listed, shorten, together},
 };
 
 pub(super) fn convert(args: &ConvertArgs) -> Outcome {
@@ -68,7 +68,7 @@ pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read
         let tour =
             || message!("shell-no-tour-to-write", "the shortest closed tour of this scene is not known, so there is no tour to write");
         let notes = || exported.notes.iter().cloned().fold(Message::default(), Message::then);
-        return Err(Failure::Refused(failure::at(field, &if format == Format::Tsplib { tour() } else { notes() })));
+        return Err(Failure::Refused(text::at(field, &if format == Format::Tsplib { tour() } else { notes() })));
     }
     let target = |file: &NamedFile| if is_asked_for(file) { path.to_owned() } else { path.with_file_name(&file.name) };
     let targets: Vec<PathBuf> = exported.files.iter().map(target).collect();

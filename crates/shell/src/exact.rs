@@ -13,11 +13,11 @@ use forage::{
 use serde::Serialize;
 
 use super::{
-    failure::{self, Outcome},
+    failure::Outcome,
     language::say,
     load,
     output::{print, print_json},
-    text::{escape, measured, number},
+    text::{self, escape, measured, number},
 };
 
 #[derive(Serialize)]
@@ -105,7 +105,7 @@ fn summary(scene: &Scene, answer: &Answer<'_>) -> String {
     let mut lines = paths(scene, answer, stored, &length);
     lines.extend(answer.tours.iter().map(|tour| tour_line(tour, &length(tour.length))));
     let name = escape(scene.name());
-    lines.into_iter().map(|line| failure::at(&name, &line).to_string()).collect::<Vec<_>>().join("\n")
+    lines.into_iter().map(|line| text::at(&name, &line).to_string()).collect::<Vec<_>>().join("\n")
 }
 
 /// What is said of the shortest path, or of the minimum.

@@ -21,7 +21,7 @@ use serde_json::json;
 use super::{
     args::ExperimentArgs,
     examples::EXPERIMENT_FILE,
-    failure::{self, Failure, Outcome},
+    failure::{Failure, Outcome},
     files::{self, LARGEST_EXPERIMENT, Role},
     interrupt,
     language::said,
@@ -29,7 +29,7 @@ use super::{
     output::{notes, print, print_json, print_raw},
     progress,
     registry::registry,
-    text::{escape, quoted},
+    text::{self, escape, quoted},
 };
 
 pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
@@ -121,7 +121,7 @@ fn check_outputs(args: &ExperimentArgs, part: Part, rows: &Path, sources: &[Path
 fn read_file(path: &Path) -> Result<(read::Experiment, Vec<PathBuf>), Failure> {
     let name = path.to_string_lossy();
     let text = String::from_utf8(files::read(path, LARGEST_EXPERIMENT)?)
-        .map_err(|problem| Failure::Refused(failure::at(&quoted(&name), &Message::verbatim(problem.to_string()))))?;
+        .map_err(|problem| Failure::Refused(text::at(&quoted(&name), &Message::verbatim(problem.to_string()))))?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let folder = path.parent().unwrap_or(Path::new(""));
     let sources = RefCell::new(vec![path.to_owned()]);

@@ -73,7 +73,7 @@ impl Failure {
 
     /// A file that should be text, and is not.
     pub(super) fn no_text(path: &Path) -> Self {
-        Self::Refused(at(&quoted(&path.to_string_lossy()), &message!("shell-no-text", "this is no text")))
+        Self::Refused(text::at(&quoted(&path.to_string_lossy()), &message!("shell-no-text", "this is no text")))
     }
 
     /// An error of the library about `subject`'s parameters.
@@ -85,7 +85,7 @@ impl Failure {
     pub(super) fn message(&self) -> String {
         let message = match self {
             Self::Refused(message) | Self::Interrupted(message) => message.to_string(),
-            Self::File(path, error) => at(&quoted(path), &problem(error)).to_string(),
+            Self::File(path, error) => text::at(&quoted(path), &problem(error)).to_string(),
         };
         shorten(&message, LONGEST)
     }
@@ -107,11 +107,6 @@ impl From<StudyFailure> for Failure {
             }
         }
     }
-}
-
-/// What is said of a place.
-pub(super) fn at(place: &str, said: &Message) -> Message {
-    message!("shell-at", "{place}: {said}", place, said)
 }
 
 /// A file that cannot be written, and why.
@@ -164,7 +159,7 @@ pub(super) fn in_file(path: &Path, error: &Error) -> Failure {
         Error::Malformed { field, problem } if field == "scene" => problem.clone(),
         other => message(other, Subject::Unknown),
     };
-    Failure::Refused(at(&quoted(&path.to_string_lossy()), &Message::verbatim(shorten(&problem.text(), 210))))
+    Failure::Refused(text::at(&quoted(&path.to_string_lossy()), &Message::verbatim(shorten(&problem.text(), 210))))
 }
 
 /// An error of the library as a sentence.
@@ -188,7 +183,7 @@ fn message(error: &Error, subject: Subject<'_>) -> Message {
         }
         Error::Malformed { field, problem } => {
             let problem = unknown_field(&problem.text()).unwrap_or_else(|| Message::verbatim(shorten(&problem.text(), 190)));
-            at(&shorten(field, 100), &problem)
+            text::at(&shorten(field, 100), &problem)
         }
         other => other.message(),
     }
@@ -208,7 +203,7 @@ fn unknown_field(problem: &str) -> Option<Message> {
     let said = message!("shell-no-known-field", "{field} is not a known field", field = quoted(typed));
     let said = names::meant(&said, &near);
     let place = shorten(place.trim_end().trim_end_matches([':', '：']), 60);
-    Some(if place.is_empty() { said } else { at(&place, &said) })
+    Some(if place.is_empty() { said } else { text::at(&place, &said) })
 }
 
 /// What is wrong with a field. By the key of what is allowed it is known that there is no such field; nothing is said in the language

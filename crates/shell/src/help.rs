@@ -2,31 +2,20 @@
 //! other languages is laid out here: clap breaks lines at spaces only.
 
 mod layout;
+mod words;
 
 use std::collections::BTreeSet;
 
 use clap::{Arg, Command, CommandFactory, builder::StyledStr};
-use forage::message;
 use forage_languages::speaker;
 use forage_study::{
     registry::{REPRODUCTIONS, STUDIES},
     words::WORDS,
 };
 
-use super::{args::Cli, language::say, registry::registry, text::listed};
+use self::words::OWN;
+use super::{args::Cli, language::say, registry::registry};
 
-/// What clap itself says.
-const ARGUMENTS: &str = "Arguments";
-const COMMANDS: &str = "Commands";
-const OPTIONS: &str = "Options";
-const USAGE: &str = "Usage:";
-const HELP: &str = "Print help";
-const MORE_HELP: &str = "Print help (see more with '--help')";
-const LESS_HELP: &str = "Print help (see a summary with '-h')";
-const VERSION: &str = "Print version";
-const HELP_COMMAND: &str = "Print this message or the help of the given subcommand(s)";
-const HELP_OF: &str = "Print help for the subcommand(s)";
-const OWN: [&str; 10] = [ARGUMENTS, COMMANDS, OPTIONS, USAGE, HELP, MORE_HELP, LESS_HELP, VERSION, HELP_COMMAND, HELP_OF];
 /// What the notes of generators say.
 const NOTES: [&str; 4] = [
     "There are {1} discs, not {2}: there is room for no more.",
@@ -143,21 +132,4 @@ fn argument(arg: Arg) -> Arg {
 fn laid_out(mut command: Command) -> Command {
     let [short, long] = [false, true].map(|long| layout::page(&mut command, long));
     command.before_help(short).before_long_help(long).help_template("{before-help}").mut_subcommands(laid_out)
-}
-
-/// What is said of an option's default and of its possible values.
-fn notes(arg: &Arg) -> String {
-    let mut notes = String::new();
-    if !arg.get_action().takes_values() {
-        return notes;
-    }
-    let defaults: Vec<_> = arg.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
-    if !arg.is_hide_default_value_set() && !defaults.is_empty() {
-        notes += &message!("shell-default", "[default: {values}]", values = listed(&defaults)).text();
-    }
-    let possible: Vec<_> = arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
-    if !arg.is_hide_possible_values_set() && !possible.is_empty() {
-        notes += &message!("shell-possible-values", "[possible values: {values}]", values = listed(&possible)).text();
-    }
-    notes
 }

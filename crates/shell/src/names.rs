@@ -10,10 +10,7 @@ use forage_study::registry::{REPRODUCTIONS, STUDIES};
 
 use crate::registry::registry;
 
-use super::{
-    failure,
-    text::{cut_list, either, quoted},
-};
+use super::text::{self, cut_list, either, quoted};
 
 /// Whose parameters a message is about.
 #[derive(Clone, Copy)]
@@ -73,7 +70,7 @@ pub(super) fn unknown(field: &str, value: &str, known: &[&str], subject: Subject
     let nearest = nearest(value.trim_matches('`'), &known);
     let (said, whole) = no_such_name(field, &value, subject);
     let said = if place.is_empty() { said } else { message!("shell-with-place", "{said} ({place})", said, place) };
-    let said = if field.contains(['[', '.']) { failure::at(field, &said) } else { said };
+    let said = if field.contains(['[', '.']) { text::at(field, &said) } else { said };
     if nearest.is_empty() {
         let list = cut_list(&known, 110);
         let said = message!("shell-must-be-one-of", "{said}; it must be one of {list}", said, list);

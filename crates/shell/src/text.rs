@@ -1,6 +1,6 @@
 //! Text for people: escaped control characters, shortened values, rounded numbers, wrapped lines.
 
-use forage::message;
+use forage::{kernel::Message, message};
 use unicode_linebreak::linebreaks;
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
@@ -68,6 +68,11 @@ pub(super) fn cut_list(names: &[&str], most: usize) -> String {
         kept.push(name);
     }
     listed(&kept)
+}
+
+/// What is said of a place.
+pub(super) fn at(place: &str, said: &Message) -> Message {
+    message!("shell-at", "{place}: {said}", place, said)
 }
 
 /// A number with four significant digits.

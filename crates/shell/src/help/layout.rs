@@ -3,7 +3,7 @@
 use clap::{Arg, ArgAction, Command};
 use forage::message;
 
-use super::{ARGUMENTS, COMMANDS, HELP, LESS_HELP, MORE_HELP, OPTIONS, USAGE, notes};
+use super::words::{ARGUMENTS, COMMANDS, HELP, LESS_HELP, MORE_HELP, OPTIONS, USAGE, notes};
 use crate::{
     language::say,
     text::{columns, padded, wide, wrap},

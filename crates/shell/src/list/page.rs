@@ -14,10 +14,10 @@ use forage::{
 use crate::{
     convert::describe,
     exact::unit,
-    failure, kinds,
+    kinds,
     language::{say, say_numbered},
     registry::registry,
-    text::{escape, listed, padded, point, wrap},
+    text::{self, escape, listed, padded, point, wrap},
 };
 
 /// The page about a name, which must be known.
@@ -130,7 +130,7 @@ fn centre_bias(bias: CentreBias) -> Message {
 
 /// A name with its title, as a page begins.
 fn titled(name: &str, title: &str) -> String {
-    failure::at(name, &Message::verbatim(title)).to_string()
+    text::at(name, &Message::verbatim(title)).to_string()
 }
 
 fn planner(entry: &Entry, page: &mut Page) {
@@ -176,7 +176,7 @@ fn presets(entry: &Entry, place: &str, page: &mut Page) {
         let values: Vec<_> = preset.given().iter().map(|(name, value)| format!("{name}={value}")).collect();
         let values = if values.is_empty() { message!("shell-the-defaults", "the defaults") } else { Message::verbatim(values.join(" ")) };
         let part = |text, part| say(text, &format!("{place}.presets.{}.{part}", preset.name));
-        let title = failure::at(part(preset.title, "title"), &values);
+        let title = text::at(part(preset.title, "title"), &values);
         page.named(preset.name, width, &title.text(), part(preset.help, "help"));
     }
 }

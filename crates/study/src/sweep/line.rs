@@ -170,8 +170,10 @@ impl Format {
         let (parameters, results) = rest.split_at(sweep.parameters.len());
         let parameters: Vec<&str> = parameters.iter().map(String::as_str).collect();
         let job = sweep.find(&lead[0], &lead[1], &lead[2], &parameters).ok_or_else(|| {
-            let set = sweep.parameters.iter().zip(&parameters).filter(|(_, text)| !text.is_empty());
-            let set: String = set.map(|(name, text)| format!(" {name}={text},")).collect();
+            let mut set = String::new();
+            for (name, text) in sweep.parameters.iter().zip(&parameters).filter(|(_, text)| !text.is_empty()) {
+                set.extend([" ", name, "=", text, ","]);
+            }
             let (scene, planner, seed) = (&lead[0], &lead[1], &lead[2]);
             Wrong::Other(message!(
                 "study-no-such-run",
