@@ -3,6 +3,9 @@ import type { Plugin } from 'vite'
 
 const ID = 'virtual:languages'
 const TEXTS = 'virtual:language-texts/'
+const FIRST = 'virtual:language-first/'
+/** The modules of texts that the first view has. */
+const FIRST_VIEW = ['common', 'learn', 'punctuation']
 
 /** How a language calls itself. */
 interface Named {
@@ -28,12 +31,13 @@ export function languages(locales: string, core: string): Plugin {
   const modules = (tag: string): string[] => readdirSync(`${locales}/${tag}/page`).filter((file) => file.endsWith('.ts'))
   return {
     name: 'forage-languages',
-    resolveId: (id) => (id === ID || id.startsWith(TEXTS) ? `\0${id}` : undefined),
+    resolveId: (id) => (id === ID || id.startsWith(TEXTS) || id.startsWith(FIRST) ? `\0${id}` : undefined),
     load(id) {
       if (id === `\0${ID}`) {
         const all = [{ tag: 'en', name: 'English', sign: 'EN' }, ...tags.map((tag) => ({ tag, ...named(tag) }))]
         const words = tags.map(
           (tag) => `'${tag}': {
+  first: () => import('${FIRST}${tag}').then((module) => ({ ...module })),
   texts: () => import('${TEXTS}${tag}').then((module) => ({ ...module })),
   printed: () => import('${locales}/${tag}/texts/papers.json').then((module) => module.default),
   catalogue: () => import('${core}/locales/${tag}/catalogue.json').then((module) => module.default),
@@ -41,11 +45,15 @@ export function languages(locales: string, core: string): Plugin {
         )
         return `export const languages = ${JSON.stringify(all)}\nexport const load = {${words.join(',\n')}}`
       }
+      const exported = (tag: string, files: readonly string[]): string =>
+        files.map((file) => `export * from '${locales}/${tag}/page/${file}'`).join('\n')
       if (id.startsWith(`\0${TEXTS}`)) {
         const tag = id.slice(TEXTS.length + 1)
-        return modules(tag)
-          .map((file) => `export * from '${locales}/${tag}/page/${file}'`)
-          .join('\n')
+        return exported(tag, modules(tag))
+      }
+      if (id.startsWith(`\0${FIRST}`)) {
+        const names = FIRST_VIEW.map((name) => `${name}.ts`)
+        return exported(id.slice(FIRST.length + 1), names)
       }
       return undefined
     },

@@ -28,5 +28,5 @@ export async function prepare(): Promise<void> {
 
   language.listeners.add(name)
   const first = firstLanguage(location.hash, location.search)
-  if (first !== 'en') await language.speak(first).catch((error: unknown) => console.warn(error))
+  if (first !== 'en') await language.speak(first, true).catch((error: unknown) => console.warn(error))
 }

@@ -13,18 +13,30 @@ class Language {
   titles = $state.raw<ReadonlyMap<string, string>>(new Map())
   /** Called when it has changed. */
   readonly listeners = new Set<() => void>()
+  /** All its words are there. */
+  whole = true
   private texts = $state.raw<Readonly<Record<string, object>>>({})
 
   constructor() {
     translateBy((module) => this.texts[module] as Readonly<Record<string, unknown>> | undefined)
   }
 
-  /** Speaks another language, as soon as its words are there. */
-  async speak(tag: Tag): Promise<void> {
-    const texts = tag === 'en' ? {} : await wordsOf(tag).texts()
+  /** Speaks another language, as soon as its words are there; `first`: those of the first view, until `complete` is called. */
+  async speak(tag: Tag, first = false): Promise<void> {
+    const texts = tag === 'en' ? {} : await (first ? wordsOf(tag).first() : wordsOf(tag).texts())
     this.texts = texts
     this.tag = tag
+    this.whole = !first || tag === 'en'
     for (const tell of this.listeners) tell()
+  }
+
+  /** Loads the other words. Where they cannot be loaded those views are in English. */
+  async complete(): Promise<void> {
+    const { tag } = this
+    if (this.whole) return
+    this.whole = true
+    const texts = await wordsOf(tag).texts()
+    if (tag === this.tag) this.texts = texts
   }
 }
 

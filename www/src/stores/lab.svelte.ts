@@ -1,3 +1,4 @@
+import type { Catalogue } from 'forage-lab'
 import type { Progress, Report } from '../engine/protocol'
 import { Requests } from '../engine/requests'
 import { RunClient } from '../engine/run-client'
@@ -5,7 +6,7 @@ import { Awaited } from './awaited.svelte'
 import { catalogueIn, withOwn } from './catalogue'
 import { ColumnStore } from './column.svelte'
 import type { Standard } from '../catalogue/standard'
-import { language } from '../locales/language.svelte'
+import { language, type Tag } from '../locales/language.svelte'
 import { common } from '../locales/en/common'
 import { ExperimentsStore } from './experiments.svelte'
 import { Followers } from './followers.svelte'
@@ -48,13 +49,20 @@ export class Lab {
   writing = $state(false)
   /** The thread is there. */
   private opened = false
+  /** All is in the language of the page, or on its way. */
+  private worded = false
+  /** The language of the catalogue. */
+  private catalogued: Tag = 'en'
 
   private readonly client = new RunClient({
     onopen: () => this.receiveOpen(),
     onreport: (report) => this.receive(report),
     onpicture: (picture) => this.picture.pass(picture),
     onaccepted: (version) => this.parameters.take(version),
-    onrefused: (refusal, version) => this.starts.refuse(worded(refusal), version),
+    onrefused: (refusal, version) => {
+      this.completeWords()
+      this.starts.refuse(worded(refusal), version)
+    },
     onprogress: (progress) => this.receiveProgress(progress),
     onbroken: (message) => this.breakDown(message),
     onreplaced: (slowed) => this.replaced(slowed),
@@ -125,7 +133,7 @@ export class Lab {
     void this.client.open()
     if (!this.setup.catalogue) {
       try {
-        this.setup.catalogue = await catalogueIn(language.tag)
+        this.setup.catalogue = await this.catalogue(language.whole ? language.tag : 'en')
       } catch (error) {
         this.breakDown(error instanceof Error ? error.message : String(error))
         return
@@ -137,10 +145,23 @@ export class Lab {
     if (!this.client.desired.start) await this.openFirst()
   }
 
+  /** What the first picture does not wait for: the language of the page, except what its first view says. */
+  private completeWords(): void {
+    if (this.worded) return
+    this.worded = true
+    void language.complete().catch((error: unknown) => console.warn(error))
+    if (this.catalogued !== language.tag) void this.translate()
+  }
+
+  private catalogue(tag: Tag): Promise<Catalogue> {
+    this.catalogued = tag
+    return catalogueIn(tag)
+  }
+
   /** The catalogue in the language of the page. */
   private readonly translate = async (): Promise<void> => {
     const { tag } = language
-    const catalogue = await catalogueIn(tag)
+    const catalogue = await this.catalogue(tag)
     if (tag === language.tag) this.setup.catalogue = withOwn(catalogue, this.setup.catalogue)
   }
 
@@ -176,6 +197,7 @@ export class Lab {
   }
 
   private breakDown(message: string): void {
+    this.completeWords()
     this.crash = message
     this.leaveThread('crashed')
     this.parameters.forget()
@@ -203,6 +225,7 @@ export class Lab {
     const { client, picture, playback, run } = this
     run.report = report
     picture.pass(report)
+    this.completeWords()
     if (report.run) {
       run.begin(report.run)
       this.parameters.take(report.run.generation)
