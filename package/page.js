@@ -97,13 +97,15 @@ async function link(parts) {
 }
 
 let language = 'en'
+/** The language that was asked for last: it is spoken as soon as its words are there. */
+let asked = 'en'
 /** What says messages, by language. */
 const speakers = {}
-const say = (key, given) => speakers[language]?.(key, given)
+/** Where a part's words in another language are not there yet, it speaks English. */
+const say = (key, given) => speakers[language]?.(key, given) ?? speakers.en?.(key, given)
 
 /** The words of a part, while its code comes. */
-function spoken(part) {
-  const tag = language
+function spoken(part, tag = asked) {
   return once(`words ${tag} ${part}`, async () => {
     if (!speaksOwn()) return
     const { speaker, words } = await import('./languages.js')
@@ -117,8 +119,13 @@ function spoken(part) {
 
 /** Has messages said in another language from now on: those of the parts that are there, and of those that come. */
 export async function speakIn(tag) {
-  language = languageIn(languages, tag)
-  if (ours) await Promise.all(['swarm', ...PARTS.filter(isAdded)].map(spoken))
+  const next = languageIn(languages, tag)
+  // Parts that are on their way, too: their words were asked for in the language of before.
+  const there = ['swarm', ...PARTS].filter((part) => coming.has(`words ${language} ${part}`) || isAdded(part))
+  asked = next
+  if (ours) await Promise.all(there.map((part) => spoken(part, next)))
+  // A later call wins.
+  if (asked === next) language = next
 }
 
 /** The scenes that ship with a part, while its code comes. */

@@ -20,11 +20,11 @@ pub use texts::{Texts, tags};
 
 static SPEAKER: OnceLock<Speaker> = OnceLock::new();
 
-/// Has messages said in a language from now on; only the first call counts. False if there is no such language: they stay English.
+/// Has messages said in a language from now on; only the first call counts. Whether they are: false if there is no such
+/// language, or if another one is spoken already.
 pub fn speak(tag: &str) -> bool {
     let Some(speaker) = Speaker::of(tag) else { return false };
-    SPEAKER.get_or_init(|| speak_in(speaker));
-    true
+    SPEAKER.get_or_init(|| speak_in(speaker)).tag() == tag
 }
 
 fn speak_in(speaker: Speaker) -> Speaker {

@@ -2,15 +2,10 @@
 
 use std::{borrow::Cow, fmt::Write};
 
-use forage_languages::{closest, speak, speaker, tags};
+use forage_languages::{closest, speak, speaker};
 
-/// The languages that `--lang` takes.
-pub(super) fn offered() -> Vec<&'static str> {
-    [vec!["en"], tags()].concat()
-}
-
-/// Speaks the language that the command line or the environment asks for. An option that names no language is refused later, in
-/// English.
+/// Speaks the language that the command line or the environment asks for. An option that asks for none of them is refused
+/// later.
 pub(super) fn choose() {
     let asked = option(std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()));
     let wanted = asked.map_or_else(environment, |asked| closest(&asked));

@@ -14,6 +14,7 @@ export const punctuation: Translated<typeof English.punctuation> = {
   sentence: (text) => (/[。！？….]$/.test(text) ? text : `${text}。`),
   // Between Han there is no space.
   beside: (label, value) => `${label}${/[\u3400-\u9fff]$/.test(label) && /^[\u3400-\u9fff]/.test(value) ? '' : ' '}${value}`,
+  colon: '：',
   pair: (label, value) => `${label}：${value}`,
   aside: (what) => `（${what}）`,
 }

@@ -192,7 +192,7 @@ export interface Report extends Picture {
   trace: TraceRows
   /** What happened in simulated time since the furthest state that was reported. */
   events: RunEvent[]
-  /** These are all events from the beginning: they are said in another language. */
+  /** These are the events from the beginning to here, and the parts: said in another language. */
   repeats: boolean
   /** If it has changed. */
   span: Span | null

@@ -103,6 +103,7 @@ export class RunClient {
   async open(): Promise<void> {
     this.close()
     language.listeners.add(this.speak)
+    this.desired.language = language.tag
     const worker = this.hosting().worker('run')
     this.worker = worker
     worker.onmessage = ({ data }: MessageEvent<FromHost>) => {

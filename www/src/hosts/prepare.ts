@@ -27,6 +27,7 @@ export async function prepare(): Promise<void> {
   })
 
   language.listeners.add(name)
-  const first = firstLanguage(location.hash, location.search)
+  // A file may have been saved with a run.
+  const first = firstLanguage(location.hash || (document.documentElement.dataset.link ?? ''), location.search)
   if (first !== 'en') await language.speak(first, true).catch((error: unknown) => console.warn(error))
 }

@@ -2,7 +2,6 @@ import { languages, load, type Words } from 'virtual:languages'
 import { translateBy } from './texts'
 
 export { languages }
-export const ENGLISH = { tag: 'en', name: 'English', sign: 'EN' }
 
 export type Tag = (typeof languages)[number]['tag']
 
@@ -15,6 +14,8 @@ class Language {
   readonly listeners = new Set<() => void>()
   /** All its words are there. */
   whole = true
+  /** Of the newest language that was wanted: an older one that comes later is none. */
+  private turn = 0
   private texts = $state.raw<Readonly<Record<string, object>>>({})
 
   constructor() {
@@ -23,7 +24,10 @@ class Language {
 
   /** Speaks another language, as soon as its words are there; `first`: those of the first view, until `complete` is called. */
   async speak(tag: Tag, first = false): Promise<void> {
+    this.turn += 1
+    const { turn } = this
     const texts = tag === 'en' ? {} : await (first ? wordsOf(tag).first() : wordsOf(tag).texts())
+    if (turn !== this.turn) return
     this.texts = texts
     this.tag = tag
     this.whole = !first || tag === 'en'
@@ -32,11 +36,12 @@ class Language {
 
   /** Loads the other words. Where they cannot be loaded those views are in English. */
   async complete(): Promise<void> {
-    const { tag } = this
+    const { tag, turn } = this
     if (this.whole) return
-    this.whole = true
     const texts = await wordsOf(tag).texts()
-    if (tag === this.tag) this.texts = texts
+    if (turn !== this.turn) return
+    this.texts = texts
+    this.whole = true
   }
 }
 

@@ -2,7 +2,7 @@ import type { Catalogue } from 'forage-lab'
 import { translated } from 'forage-lab/texts'
 import { isOwn, withPlanner } from '../catalogue/own'
 import { host } from '../engine/host'
-import { language, type Tag } from '../locales/language.svelte'
+import type { Tag } from '../locales/language.svelte'
 import { load } from 'virtual:languages'
 
 let english: Promise<Catalogue> | undefined
@@ -28,16 +28,18 @@ function titlesOf(before: Catalogue, after: Catalogue): Map<string, string> {
   return new Map([...pairs, ...generators].flatMap(([from, to]) => (from && to ? [[from, to] as const] : [])))
 }
 
+/** A catalogue, and what its scenes say of themselves in its language. */
+export interface Catalogued {
+  catalogue: Catalogue
+  titles: ReadonlyMap<string, string>
+}
+
 /** The catalogue in a language. Scenes are data, whatever the language: `saidOf` says how they are called. */
-export async function catalogueIn(tag: Tag): Promise<Catalogue> {
+export async function catalogueIn(tag: Tag): Promise<Catalogued> {
   const before = await shipped()
-  if (tag === 'en') {
-    language.titles = new Map()
-    return before
-  }
+  if (tag === 'en') return { catalogue: before, titles: new Map() }
   const after = translated(before, (await load[tag]?.catalogue()) ?? [])
-  language.titles = titlesOf(before, after)
-  return { ...after, scenes: before.scenes }
+  return { catalogue: { ...after, scenes: before.scenes }, titles: titlesOf(before, after) }
 }
 
 /** A catalogue with the planners that somebody wrote for another one. */

@@ -20,7 +20,8 @@ export class Course {
       this.curve = { columns, iterations, rows }
       this.version += 1
     }
-    if (repeats) this.events = events
+    // Those that come later than where the run is are as they were said.
+    if (repeats) this.events = [...events, ...this.events.slice(events.length)]
     else if (events.length > 0) this.events = [...this.events, ...events]
     if (span) this.span = { ...span, generation }
   }

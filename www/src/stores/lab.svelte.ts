@@ -1,4 +1,3 @@
-import type { Catalogue } from 'forage-lab'
 import type { Progress, Report } from '../engine/protocol'
 import { Requests } from '../engine/requests'
 import { RunClient } from '../engine/run-client'
@@ -133,7 +132,7 @@ export class Lab {
     void this.client.open()
     if (!this.setup.catalogue) {
       try {
-        this.setup.catalogue = await this.catalogue(language.whole ? language.tag : 'en')
+        await this.catalogue(language.whole ? language.tag : 'en')
       } catch (error) {
         this.breakDown(error instanceof Error ? error.message : String(error))
         return
@@ -150,19 +149,21 @@ export class Lab {
     if (this.worded) return
     this.worded = true
     void language.complete().catch((error: unknown) => console.warn(error))
-    if (this.catalogued !== language.tag) void this.translate()
+    if (this.catalogued !== language.tag) this.translate()
   }
 
-  private catalogue(tag: Tag): Promise<Catalogue> {
+  /** The catalogue in the language of the page. Where its words cannot be loaded it stays as it is. */
+  private readonly translate = (): void => {
+    this.catalogue(language.tag).catch((error: unknown) => console.warn(error))
+  }
+
+  private async catalogue(tag: Tag): Promise<void> {
+    const { catalogue, titles } = await catalogueIn(tag)
+    // Another language may be wanted by now.
+    if (this.setup.catalogue && tag !== language.tag) return
+    this.setup.catalogue = withOwn(catalogue, this.setup.catalogue)
+    language.titles = titles
     this.catalogued = tag
-    return catalogueIn(tag)
-  }
-
-  /** The catalogue in the language of the page. */
-  private readonly translate = async (): Promise<void> => {
-    const { tag } = language
-    const catalogue = await this.catalogue(tag)
-    if (tag === language.tag) this.setup.catalogue = withOwn(catalogue, this.setup.catalogue)
   }
 
   /** An offered code does not run. There is always a run to look at. */

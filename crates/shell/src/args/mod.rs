@@ -5,9 +5,9 @@ mod suites;
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
-use clap::{Args, Parser, Subcommand, ValueHint, builder::PossibleValuesParser};
+use clap::{Args, Parser, Subcommand, ValueHint};
 
-use super::{examples, language, names, names::Offered};
+use super::{examples, names, names::Offered};
 
 use self::numbers::{problem, runs, seconds, threads};
 pub(super) use self::suites::{BbobArgs, BenchArgs, Suite, SuiteArgs};
@@ -16,8 +16,8 @@ pub(super) use self::suites::{BbobArgs, BenchArgs, Suite, SuiteArgs};
 #[derive(Parser)]
 #[command(name = "forage", version, propagate_version = true, after_help = examples::QUICK_START)]
 pub(super) struct Cli {
-    /// The language of what is printed. Default: that of LC_ALL, LC_MESSAGES or LANG; else English. Files and JSON stay English.
-    #[arg(long, global = true, value_name = "TAG", value_parser = PossibleValuesParser::new(language::offered()))]
+    /// The language of what is printed, such as `zh-CN`. Default: that of LC_ALL, LC_MESSAGES or LANG; else English. Files and JSON stay English.
+    #[arg(long, global = true, value_name = "TAG", value_parser = numbers::language)]
     pub(super) lang: Option<String>,
     #[command(subcommand)]
     pub(super) command: Command,

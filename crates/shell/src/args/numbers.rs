@@ -1,4 +1,4 @@
-//! Numbers as options take them: what is refused says what is allowed.
+//! Numbers and languages as options take them: what is refused says what is allowed.
 
 use std::num::NonZeroUsize;
 
@@ -36,6 +36,13 @@ pub(super) fn whole_number(text: &str, least: u64, most: u64) -> Result<u64, Str
     let number = text.parse().ok().filter(|number| (least..=most).contains(number));
     let allowed = || message!("error-whole-from-to", "a whole number from {min} to {max}", min = least.to_string(), max = most.to_string());
     number.ok_or_else(|| must_be(&allowed()))
+}
+
+/// A language, or what asks for one: `zh`, `zh_CN.UTF-8`.
+pub(super) fn language(text: &str) -> Result<String, String> {
+    let known = || [vec!["en"], forage_languages::tags()].concat().join(", ");
+    let found = forage_languages::closest(text).map(str::to_owned);
+    found.ok_or_else(|| must_be(&message!("error-one-of", "one of {names}", names = known())))
 }
 
 /// What an option's value must be.

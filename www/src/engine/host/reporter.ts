@@ -56,7 +56,6 @@ export class Reporter {
   /** All that was said is said once more. */
   repeat(): void {
     this.settled = null
-    this.known = { events: 0, until: -1 }
     this.repeats = true
   }
 
@@ -71,10 +70,8 @@ export class Reporter {
     const readings = session.readings()
     const trace = session.trace(this.traced)
     this.traced = trace.iterations.at(-1) ?? this.traced
-    const events = this.events()
-    const { repeats } = this
-    this.repeats = false
-    const span = this.newSpan(state.furthest.iteration)
+    const events = this.repeats ? this.session.events(0) : this.events()
+    const span = this.newSpan(state.furthest.iteration) ?? (this.repeats ? this.span : null)
     const inspection = desired.item ? session.inspect(desired.item) : null
     const { item, supposition } = desired
     const known = inspection?.suppositions.some(({ name }) => name === supposition?.name)
@@ -83,6 +80,8 @@ export class Reporter {
     const curve = desired.clock === 'evaluations' ? this.newCurve() : null
     const { evaluations, status } = session
     const { thinning, ...picture } = this.draw(desired)
+    const { repeats } = this
+    this.repeats = false
     const { fresh } = this
     this.fresh = null
     return {

@@ -8,9 +8,9 @@ let language = 'en'
 /** Has the core speak this language; its words are loaded if some were before. */
 export async function speakIn(tag: string): Promise<void> {
   if (tag === language) return
-  language = tag
   try {
     await (await rest()).speakIn(tag as Language)
+    language = tag
   } catch (error) {
     console.warn(error)
   }

@@ -4,8 +4,8 @@ import { chapters } from 'virtual:glossary'
 
 /** Chapters about the page itself: their words are in every sentence. */
 const PLAIN = ['Forage']
-/** Shorter words of Han, such as 粒子, are in too many others. */
-const LEAST_HAN = 3
+/** Shorter names, such as 粒子, are within too many other words. */
+const LEAST = 3
 const HAN = /[\u3400-\u9fff]/
 
 /** How a text may name a term: `particle swarm optimization (PSO)` by its name and by its letters. */
@@ -32,8 +32,7 @@ function finderOf(tag: string): Finder {
     if (PLAIN.includes(chapter.en?.[0] ?? '')) continue
     for (const { said } of terms)
       for (const name of namesOf(said[tag]?.[0] ?? '')) {
-        const short = HAN.test(name) ? name.length < LEAST_HAN : name.length < LEAST_HAN
-        if (!short) keys.set(name.toLowerCase(), said.en?.[0] ?? '')
+        if (name.length >= LEAST) keys.set(name.toLowerCase(), said.en?.[0] ?? '')
       }
   }
   const names = [...keys.keys()].sort((a, b) => b.length - a.length)

@@ -1,7 +1,7 @@
 import { mount, unmount } from 'svelte'
 import { STANDARD } from '../../catalogue/standard'
 import { host } from '../../engine/host'
-import { closest, language, type Tag } from '../../locales/language.svelte'
+import { closest, language } from '../../locales/language.svelte'
 import type { Controls } from '../../catalogue/embedding'
 import { optionsOf } from '../../rooms/embed/options'
 import type { RunEvent, RunState } from 'forage-lab/embed'
@@ -20,8 +20,8 @@ const HOST =
   ':host{display:block;position:relative;width:100%;min-width:320px;min-height:240px;aspect-ratio:3/2;overflow:hidden}:host([hidden]){display:none}'
 
 let shared: CSSStyleSheet | undefined
-/** The language that the last element asked for. */
-let wanted: Tag | undefined
+/** An element has chosen the language of the document. */
+let spoken = false
 
 /** All elements of a page share one sheet. */
 function sheet(): CSSStyleSheet {
@@ -128,9 +128,11 @@ export class ForageRun extends HTMLElement {
   /** A document has one language: that which an element asks for, or else that of a link or the browser. */
   private async speak(): Promise<void> {
     const asked = closest(this.getAttribute('lang') ?? '')
-    wanted = asked ?? wanted
-    const tag = wanted ?? firstLanguage(this.getAttribute('src') ?? '', '')
-    if (tag !== language.tag) await language.speak(tag)
+    // The first one decides where none asks; a reader may have chosen another one since.
+    if (asked === undefined && spoken) return
+    spoken = true
+    const tag = asked ?? firstLanguage(this.getAttribute('src') ?? '', '')
+    if (tag !== language.tag) await language.speak(tag).catch((error: unknown) => console.warn(error))
   }
 
   private see(visible: boolean): void {

@@ -19,6 +19,7 @@ export const punctuation = texts('punctuation', {
   sentence: (text: string) => (/[.!?…]$/.test(text) ? text : `${text}.`),
   /** A number after its name. */
   beside: (label: string, value: string) => `${label} ${value}`,
+  colon: ': ',
   pair: (label: string, value: string) => `${label}: ${value}`,
   aside: (what: string) => ` (${what})`,
 } as const)

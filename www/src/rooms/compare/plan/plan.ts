@@ -75,8 +75,6 @@ export function paramsOf(planner: Planner, { params }: Entrant, { scene }: Plan)
 export const keyOf = (planner: Planner, params: Values, { scene, maps }: Plan, evaluations: number | null): string =>
   JSON.stringify([planner.name, codeOf(planner).code, maps ?? numberOf(scene), params, evaluations])
 
-export const shortTitle = ({ title }: Planner): string => shortly(title)
-
 /** A value as it is typed and as files hold it. */
 export const told = (value: ParameterValue | undefined): string => String(value)
 
@@ -98,7 +96,7 @@ export function labels(plan: Plan, planners: readonly Planner[]): string[] {
       const value = valueIn(entrant, at)
       return alike.some((other) => valueIn(other, at) !== value) ? [`${name} = ${told(value)}`] : []
     })
-    return punctuation.clauses([shortTitle(planner), ...differing, ...(entrant.scene ? [text.entrants.before] : [])])
+    return punctuation.clauses([shortly(planner.title), ...differing, ...(entrant.scene ? [text.entrants.before] : [])])
   })
 }
 
