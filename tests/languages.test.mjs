@@ -26,8 +26,12 @@ test('translations put the same things in', () => {
   for (const tag of tags) {
     const { messages, texts, lessons } = languageOf(join(locales, tag))
     const variables = (text) => new Set([...text.matchAll(/\$([a-z_][a-z0-9_]*)/g)].map(([, name]) => name))
-    for (const [key, { english: before, says }] of Object.entries(messages))
+    for (const [key, { english: before, says }] of Object.entries(messages)) {
       for (const name of variables(says)) assert.ok(variables(before).has(name), `${tag}, ${key}: $${name} is not in "${before}"`)
+      // A number that only chooses between words may have nothing to choose.
+      const chosen = new Set([...before.matchAll(/\$([a-z_][a-z0-9_]*) ->/g)].map(([, name]) => name))
+      for (const name of variables(before)) assert.ok(chosen.has(name) || variables(says).has(name), `${tag}, ${key}: $${name} is lost`)
+    }
     for (const [before, entry] of Object.entries(texts))
       for (const says of typeof entry === 'string' ? [entry] : Object.values(entry))
         assert.deepEqual(placeholders(says), placeholders(before), `${tag}: ${before}`)
@@ -37,6 +41,23 @@ test('translations put the same things in', () => {
         assert.deepEqual(numbers(says), numbers(before), `${tag}, ${name}: ${key}`)
       }
   }
+})
+
+test('the package speaks it, and English where it has no words', () => {
+  const script = `
+    import { Session, speakIn } from './pkg/node.js'
+    const said = () => { try { new Session({ planner: 'pso', scene: 'sphere', params: { population: 0 } }) } catch ({ message }) { return message } }
+    const all = [said()]
+    for (const tag of ['zh-CN', 'en']) { await speakIn(tag); all.push(said()) }
+    all.push(await speakIn('xx').catch(({ message }) => message), said())
+    console.log(JSON.stringify(all))`
+  const [english, chinese, again, refused, after] = JSON.parse(
+    execFileSync('node', ['--input-type=module', '--eval', script], { cwd: root, encoding: 'utf8' }),
+  )
+  assert.match(english, /^population: 0 is not allowed/)
+  assert.match(chinese, /^population 为 0；应为 1 至 100000 的整数$/)
+  assert.deepEqual([again, after], [english, english])
+  assert.match(refused, /there is no `xx`; known: en, zh-CN/)
 })
 
 test('what a language lacks is listed', () => {

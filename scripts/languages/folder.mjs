@@ -7,7 +7,13 @@
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { textsIn } from './page.mjs'
 
-export const json = (path) => JSON.parse(readFileSync(path, 'utf8'))
+export function json(path) {
+  try {
+    return JSON.parse(readFileSync(path, 'utf8'))
+  } catch (error) {
+    throw new Error(`${path}: ${error.message}`, { cause: error })
+  }
+}
 export const write = (path, value) => writeFileSync(path, typeof value === 'string' ? value : `${JSON.stringify(value, null, 2)}\n`)
 const filesIn = (folder) =>
   existsSync(folder)

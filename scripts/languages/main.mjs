@@ -1,5 +1,5 @@
 // Languages: what is to be translated, and what is missing. Called by scripts/language.
-import { existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs'
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { english } from './english.mjs'
 import { compare, fileOf, json, languageOf, tagsOf, write } from './folder.mjs'
@@ -10,7 +10,7 @@ const locales = process.env.LOCALES ?? `${root}/locales`
 const [command, tag, ...keys] = process.argv.slice(2)
 const fail = (text) => {
   console.error(text)
-  process.exit(1)
+  process.exit(2)
 }
 const source = english(process.env.FORAGE)
 const folder = `${locales}/${tag}`
@@ -44,6 +44,7 @@ function update() {
   const named = (meaning) => ({ english: meaning, term: '', says: '' })
   write(`${folder}/glossary.json`, completed(source.glossary, languageOf(folder).glossary, named))
   if (!existsSync(`${folder}/language.json`)) write(`${folder}/language.json`, { name: tag, sign: tag.slice(0, 2) })
+  for (const file of readdirSync(`${folder}/lessons`)) if (!source.lessons[file.slice(0, -5)]) rmSync(`${folder}/lessons/${file}`)
   mkdirSync(`${folder}/page`, { recursive: true })
   const pages = `${root}/www/src/locales/en`
   for (const file of readdirSync(pages)) {
@@ -57,22 +58,27 @@ function update() {
 /** Says that translations are of today's English: of all keys, or of those that begin as one that is given. */
 function accept() {
   const language = languageOf(folder)
-  const wanted = (key) => keys.length === 0 || keys.some((begin) => key.startsWith(begin))
+  const wanted = (key, part) => keys.length === 0 || keys.some((begin) => key.startsWith(begin) || `${part}: ${key}`.startsWith(begin))
   const renewed = (part, texts) => {
     const path = `${folder}/${part}.json`
+    if (!existsSync(path)) return
     const entries = json(path)
-    for (const [key, entry] of Object.entries(entries)) if (wanted(key) && texts[key] !== undefined) entry.english = texts[key]
+    for (const [key, entry] of Object.entries(entries))
+      if (wanted(key, part.replace(/^messages\/.*/, 'messages')) && texts[key] !== undefined) entry.english = texts[key]
     write(path, entries)
   }
   for (const file of readdirSync(`${folder}/messages`)) renewed(`messages/${file.slice(0, -5)}`, source.messages)
   for (const [name, texts] of Object.entries(source.lessons)) renewed(`lessons/${name}`, texts)
   const terms = json(`${folder}/glossary.json`)
-  for (const [term, entry] of Object.entries(terms)) if (wanted(term)) entry.english = source.glossary[term] ?? entry.english
+  for (const [term, entry] of Object.entries(terms)) if (wanted(term, 'glossary')) entry.english = source.glossary[term] ?? entry.english
   write(`${folder}/glossary.json`, terms)
   const own = { ...language.page.exported, ...language.page.helpers }
   const entries = Object.entries({ ...source.page.exported, ...source.page.helpers }).filter(([key]) => Object.hasOwn(own, key))
   const kept = language.pageEnglish
-  write(`${folder}/page/english.json`, Object.fromEntries(entries.map(([key, text]) => [key, wanted(key) ? text : (kept[key] ?? '')])))
+  write(
+    `${folder}/page/english.json`,
+    Object.fromEntries(entries.map(([key, text]) => [key, wanted(key, 'page') ? text : (kept[key] ?? '')])),
+  )
 }
 
 /** Lists what a language lacks. */
@@ -83,6 +89,7 @@ function check(name) {
 }
 
 if (command === 'check') {
+  if (tag && !existsSync(folder)) fail(`There is no folder locales/${tag}; there are: ${tagsOf(locales).join(', ')}`)
   const all = (tag ? [tag] : tagsOf(locales)).map(check)
   if (all.includes(false)) process.exitCode = 1
 } else if (!/^[a-z]{2,3}(-[A-Za-z0-9]{2,8})*$/.test(tag ?? '')) {
