@@ -8,6 +8,7 @@ import { after, before, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { catalogue, Session } from '../pkg/node.js'
 import { look, serve } from './support/static.mjs'
+import { tagsOf } from '../scripts/languages/folder.mjs'
 
 const root = fileURLToPath(new URL('..', import.meta.url))
 // scripts/test builds it, and says where.
@@ -48,9 +49,11 @@ test('it holds the parts of the module and nothing that users do not need', () =
   assert.ok(parts > 5)
   // Of each part its code, its words and two entries; then the loader, sessions in threads, types, words, the catalogue, notices and
   // licences, and for pages the element, what speaks with an embedded run and the renderer, with their types. For planners of one's own what registers and tests them, the
-  // interpreter and its types; and the shipped scenes of four parts.
+  // interpreter and its types; and the shipped scenes of four parts. Each other language has words of each part, all of them, and those of the catalogue.
   assert.ok(all.length > files.length)
-  assert.ok(files.length <= 4 * parts + 46, files.join('\n'))
+  const languages = files.filter((file) => /locales\/[^/]+\.json$/.test(file)).length
+  assert.equal(languages, tagsOf(fileURLToPath(new URL('../locales', import.meta.url))).length + 1)
+  assert.ok(files.length <= 4 * parts + 48 + (languages - 1) * (parts + 2), files.join('\n'))
   for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'])
     assert.ok(files.includes(`node_modules/forage-lab/${file}`), file)
 })
