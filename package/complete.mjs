@@ -394,7 +394,7 @@ write(
   'texts.d.ts',
   `import type { Catalogue } from './forage.js';
 
-/** A catalogue in another language: \`texts\` are those of \`locales/TAG/catalogue.json\`, which belong to this version's catalogue. */
+/** A catalogue in another language: \`texts\` are those of \`locales/TAG/catalogue.json\`, which belong to this version's catalogue; throws for others. */
 export function translated(catalogue: Catalogue, texts: readonly string[]): Catalogue;
 
 /** A text with its numbers replaced by \`{1}\`, \`{2}\` …, and the numbers: texts that differ in numbers only are translated once. */

@@ -40,10 +40,12 @@ export function described(catalogue) {
   return texts
 }
 
-/** A catalogue in another language: `texts` are those of `locales/TAG/catalogue.json`, which belong to this version's catalogue. */
+/** A catalogue in another language: `texts` are those of `locales/TAG/catalogue.json`, which belong to this version's catalogue; throws for others. */
 export function translated(catalogue, texts) {
   let k = 0
-  return mapped(catalogue, (text) => texts[k++] ?? text)
+  const said = mapped(catalogue, (text) => texts[k++] ?? text)
+  if (k !== texts.length) throw new RangeError(`texts: ${texts.length} are not those of this catalogue, which has ${k}`)
+  return said
 }
 
 /** A language that is there. */

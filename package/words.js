@@ -48,8 +48,8 @@ const functions = { NUMBER: ([value], { digits }) => new Fixed(value.valueOf(), 
 
 /** Between Han there is no space: where one is left by what was put in, it goes. */
 const HAN = '[\\u3000-\\u303f\\u3400-\\u9fff\\uff00-\\uffef]'
-const IDLE = new RegExp(`(?<=${HAN}) (?=${HAN})`, 'g')
-const joined = (said) => said.replace(IDLE, '')
+const NEEDLESS = new RegExp(`(?<=${HAN}) (?=${HAN})`, 'g')
+const joined = (said) => said.replace(NEEDLESS, '')
 
 /** A function of a key and its arguments that says a message: undefined where there are no words for it. `add` gives it more. */
 export function speaker(locale, patterns) {

@@ -64,6 +64,7 @@ test('what a language lacks is listed', () => {
   const before = {
     messages: { a: 'One', b: 'Two', d: 'Five' },
     texts: { things: ['Ant', 'Bat'] },
+    paths: ['zoo.ant.title'],
     lessons: { first: { title: 'First', text: 'Text' } },
     glossary: { Swarms: '', bat: 'One bat.', ant: 'One ant.' },
     page: { exported: { 'p.x': "'X'", 'p.y': "'Y'" }, helpers: { 'p.list': '() => 1', 'p.other': '2' } },
@@ -75,7 +76,7 @@ test('what a language lacks is listed', () => {
       d: { english: 'Four', says: 'Vier' },
       gone: { says: 'Weg' },
     },
-    texts: { Ant: 'Ameise', Cat: 'Katze' },
+    texts: { Ant: { '': 'Ameise', 'zoo.ant': 'Emse', 'zoo.bat': 'x' }, Cat: 'Katze' },
     lessons: { first: { title: { english: 'First', says: 'Erste' } } },
     glossary: {
       Swarms: { english: '', term: 'Schwärme' },
@@ -88,7 +89,7 @@ test('what a language lacks is listed', () => {
   assert.deepEqual(compare(before, language), {
     missing: ['messages: b', 'texts: Bat', 'lessons/first: text', 'glossary: ant', 'page: p.y'],
     stale: ['messages: d', 'glossary: bat', 'page: p.x'],
-    unused: ['messages: gone', 'texts: Cat', 'page: p.z'],
+    unused: ['messages: gone', 'texts: Ant at zoo.bat', 'texts: Cat', 'page: p.z'],
   })
 })
 

@@ -93,6 +93,7 @@ export function english(shell) {
   return {
     messages: Object.fromEntries(run('list', '--messages').map((message) => [message.key, pattern(message)])),
     texts,
+    paths: Object.keys(described(catalogue)),
     lessons: Object.fromEntries(lessons.map(({ name, language, texts }) => [name, texts[language]])),
     glossary: glossaryTexts(glossaryOf(`${root}/docs/glossary.md`)),
     page: textsIn(`${root}/www/src/locales/en`),

@@ -74,7 +74,12 @@ export function compare(english, language) {
   keyed('messages', english.messages, language.messages)
   const known = new Set(Object.values(english.texts).flat())
   for (const text of known) if (!said(language.texts[text])) add('missing', 'texts', text)
-  for (const text of Object.keys(language.texts)) if (!known.has(text)) add('unused', 'texts', text)
+  for (const [text, entry] of Object.entries(language.texts)) {
+    if (!known.has(text)) add('unused', 'texts', text)
+    for (const place of typeof entry === 'object' ? Object.keys(entry) : [])
+      if (place !== '' && !english.paths.some((path) => path === place || path.startsWith(`${place}.`)))
+        add('unused', 'texts', `${text} at ${place}`)
+  }
   for (const [name, texts] of Object.entries(english.lessons)) keyed(`lessons/${name}`, texts, language.lessons[name] ?? {})
   for (const name of Object.keys(language.lessons)) if (!english.lessons[name]) add('unused', 'lessons', name)
   for (const [term, meaning] of Object.entries(english.glossary)) {

@@ -32,6 +32,8 @@ function update() {
   }
   const keyed = (text) => ({ english: text, says: '' })
   for (const [file, list] of Object.entries(byFile)) put(`messages/${file}`, completed(list, messages, keyed))
+  const kept = new Set(Object.values(source.texts).flat())
+  for (const [text, said] of Object.entries(texts)) if (!kept.has(text)) console.log(`removed: ${JSON.stringify({ [text]: said })}`)
   for (const [file, list] of Object.entries(source.texts))
     put(
       `texts/${file}`,

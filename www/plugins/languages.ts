@@ -39,7 +39,7 @@ export function languages(locales: string, core: string): Plugin {
           (tag) => `'${tag}': {
   first: () => import('${FIRST}${tag}').then((module) => ({ ...module })),
   texts: () => import('${TEXTS}${tag}').then((module) => ({ ...module })),
-  printed: () => import('${locales}/${tag}/texts/papers.json').then((module) => module.default),
+  report: () => import('${locales}/${tag}/texts/papers.json').then((module) => module.default),
   catalogue: () => import('${core}/locales/${tag}/catalogue.json').then((module) => module.default),
 }`,
         )

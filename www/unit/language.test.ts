@@ -5,8 +5,8 @@ import { common } from '../src/locales/en/common'
 import { keys } from '../src/locales/en/keys'
 import { punctuation } from '../src/locales/en/punctuation'
 import { texts, translateBy } from '../src/locales/texts'
-import { firstLanguage, nextLanguage, withoutLanguage } from '../src/stores/spoken'
-import { saidOf } from '../src/text/said'
+import { firstLanguage, nextLanguage, withoutLanguage } from '../src/stores/language'
+import { sceneText } from '../src/text/scene-text'
 
 const HAN = /[\u3400-\u9fff]/
 
@@ -88,8 +88,8 @@ describe('the language of the page', () => {
   it('names random scenes by what they are of, and leaves titles that somebody wrote', async () => {
     await language.speak('zh-CN')
     language.titles = new Map([['Maze', '迷宫']])
-    expect(saidOf('Maze, 41 × 31, seed 7')).toBe('迷宫（41 × 31，随机种子 7）')
-    expect(saidOf('My room, seed 7')).toBe('My room, seed 7')
+    expect(sceneText('Maze, 41 × 31, seed 7')).toBe('迷宫（41 × 31，随机种子 7）')
+    expect(sceneText('My room, seed 7')).toBe('My room, seed 7')
   })
 })
 

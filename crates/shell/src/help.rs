@@ -16,8 +16,9 @@ use forage_study::{
 use self::words::OWN;
 use super::{args::Cli, language::say, registry::registry};
 
-/// What the notes of generators say.
-const NOTES: [&str; 4] = [
+/// What the notes of generators say, and which formula suggests sizes.
+const NOTES: [&str; 5] = [
+    "[LTQPSO] ({1})",
     "There are {1} discs, not {2}: there is room for no more.",
     "There are {1} stops, not {2}: there is room for no more.",
     "There are {1} moving obstacles, not {2}: there is no room for more clear of the start.",

@@ -15,7 +15,8 @@ export const panels: Translated<typeof English.panels> = {
     changed: (count: number) => `已修改 ${count} 个参数`,
     on: '开',
     off: '关',
-    suggested: (source: string, population: string, iterations: string) => `建议值（${source}）：N = ${population}，M = ${iterations}`,
+    suggested: (source: string, population: string, iterations: string) =>
+      `建议值（${source.replace(/ (\(\d+\))$/, ' 式 $1')}）：N = ${population}，M = ${iterations}`,
     use: '采用',
     useBoth: '采用建议的种群规模和迭代次数',
     inUse: '已采用',

@@ -93,12 +93,8 @@ pub(super) fn suggest(settings: &Parameters) -> Option<Suggestion> {
     }
     let power = |factor: f64, exponent: f64| (factor * math::pow(d as f64, exponent)).round() as u64;
     Some(match settings[INITIAL] {
-        Angles::Normal => {
-            Suggestion { population: power(0.3161, 1.8376), iterations: power(0.1525, 2.3358), source: "[LTQPSO] (11), normal start" }
-        }
-        Angles::Uniform => {
-            Suggestion { population: power(0.4321, 1.7292), iterations: power(0.2855, 2.2180), source: "[LTQPSO] (10), uniform start" }
-        }
+        Angles::Normal => Suggestion { population: power(0.3161, 1.8376), iterations: power(0.1525, 2.3358), source: "[LTQPSO] (11)" },
+        Angles::Uniform => Suggestion { population: power(0.4321, 1.7292), iterations: power(0.2855, 2.2180), source: "[LTQPSO] (10)" },
     })
 }
 

@@ -1,7 +1,7 @@
 import { Gone } from '../engine/run-client'
 import { language } from '../locales/language.svelte'
 import { common } from '../locales/en/common'
-import { firstLanguage } from '../stores/spoken'
+import { firstLanguage } from '../stores/language'
 
 /** The document is in the language of the page. */
 function name(): void {

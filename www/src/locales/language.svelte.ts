@@ -13,7 +13,7 @@ class Language {
   /** Called when it has changed. */
   readonly listeners = new Set<() => void>()
   /** All its words are there. */
-  whole = true
+  isComplete = true
   /** Of the newest language that was wanted: an older one that comes later is none. */
   private turn = 0
   private texts = $state.raw<Readonly<Record<string, object>>>({})
@@ -30,18 +30,18 @@ class Language {
     if (turn !== this.turn) return
     this.texts = texts
     this.tag = tag
-    this.whole = !first || tag === 'en'
+    this.isComplete = !first || tag === 'en'
     for (const tell of this.listeners) tell()
   }
 
   /** Loads the other words. Where they cannot be loaded those views are in English. */
   async complete(): Promise<void> {
     const { tag, turn } = this
-    if (this.whole) return
+    if (this.isComplete) return
     const texts = await wordsOf(tag).texts()
     if (turn !== this.turn) return
     this.texts = texts
-    this.whole = true
+    this.isComplete = true
   }
 }
 

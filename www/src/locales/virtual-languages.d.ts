@@ -9,7 +9,7 @@ declare module 'virtual:languages' {
     /** Those of the catalogue, in its order. */
     catalogue(): Promise<readonly string[]>
     /** How what `forage reproduce` wrote is said. */
-    printed(): Promise<Readonly<Record<string, string>>>
+    report(): Promise<Readonly<Record<string, string>>>
   }
   export const load: Readonly<Record<string, Words>>
 }

@@ -34,7 +34,7 @@ export interface Catalogued {
   titles: ReadonlyMap<string, string>
 }
 
-/** The catalogue in a language. Scenes are data, whatever the language: `saidOf` says how they are called. */
+/** The catalogue in a language. Scenes are data, whatever the language: `sceneText` says how they are called. */
 export async function catalogueIn(tag: Tag): Promise<Catalogued> {
   const before = await shipped()
   if (tag === 'en') return { catalogue: before, titles: new Map() }

@@ -132,7 +132,7 @@ export class Lab {
     void this.client.open()
     if (!this.setup.catalogue) {
       try {
-        await this.catalogue(language.whole ? language.tag : 'en')
+        await this.catalogue(language.isComplete ? language.tag : 'en')
       } catch (error) {
         this.breakDown(error instanceof Error ? error.message : String(error))
         return

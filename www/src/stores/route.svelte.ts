@@ -1,6 +1,6 @@
 import { language } from '../locales/language.svelte'
 import { shortened } from './large-links'
-import { followLanguage, languageKey, withoutLanguage } from './spoken'
+import { followLanguage, languageKey, withoutLanguage } from './language'
 
 /** The rooms: where a newcomer begins, one run, several compared, what was published, where planners are written. */
 export const VIEWS = ['learn', 'lab', 'compare', 'workshop', 'papers'] as const

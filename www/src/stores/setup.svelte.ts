@@ -1,4 +1,4 @@
-import { saidOf } from '../text/said'
+import { sceneText } from '../text/scene-text'
 import { codeOf, type OwnPlanner, type RunSetup } from '../catalogue/own'
 import type { Catalogue, LinkSetup, ParameterValue, Planner, Scene, When } from 'forage-lab'
 import { meaningful, met } from '../catalogue/parameters'
@@ -164,7 +164,7 @@ export class SetupStore {
     if (!this.planner || suits(this.planner, scene)) return
     const other = this.catalogue?.planners.find((planner) => suits(planner, scene))
     if (!other) return
-    this.notices.text = common.notices.kind(this.planner.title, saidOf(scene.title), other.title)
+    this.notices.text = common.notices.kind(this.planner.title, sceneText(scene.title), other.title)
     this.parameters.errors = {}
     this.plannerName = other.name
   }

@@ -1,4 +1,4 @@
-import { saidOf } from '../../text/said'
+import { sceneText } from '../../text/scene-text'
 import { canvasesOf } from '../stage/canvases'
 import { figures as text } from '../../locales/en/figures'
 import { common } from '../../locales/en/common'
@@ -10,7 +10,7 @@ import type { Described } from './described'
 
 /** What a figure of the run shows, in a line. */
 export const titleOf = (lab: Lab, iteration = lab.playback.iteration): string =>
-  text.of(lab.setup.planner?.title ?? '', saidOf(lab.run.present?.scene.title ?? ''), iteration)
+  text.of(lab.setup.planner?.title ?? '', sceneText(lab.run.present?.scene.title ?? ''), iteration)
 
 /** What the files of the run are called. */
 export const nameOf = (lab: Lab): string =>

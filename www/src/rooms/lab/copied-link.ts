@@ -3,7 +3,7 @@ import { workshop } from '../../locales/en/workshop'
 import { isShortened, LARGEST } from '../../stores/large-links'
 import type { Lab } from '../../stores/lab.svelte'
 import { route } from '../../stores/route.svelte'
-import { languageKey } from '../../stores/spoken'
+import { languageKey } from '../../stores/language'
 
 async function linkOfRun(lab: Lab): Promise<string> {
   const answer = await lab.api.link()

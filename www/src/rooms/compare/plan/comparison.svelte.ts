@@ -1,4 +1,4 @@
-import { saidOf } from '../../../text/said'
+import { sceneText } from '../../../text/scene-text'
 import type { ParameterValue, Planner, Scene } from 'forage-lab'
 import { compare as text } from '../../../locales/en/compare'
 import type { Refusal } from '../../../engine/protocol'
@@ -274,7 +274,7 @@ export class Comparison {
       const room = MOST_ENTRANTS - this.entrants.length
       for (const { planner, params } of this.rivals(undefined).slice(0, room))
         this.entrants = [...this.entrants, { slot: this.vacant(), planner, params }]
-      if (room > 0) this.notice = text.joined(saidOf(scene.title))
+      if (room > 0) this.notice = text.joined(sceneText(scene.title))
     }
     this.changed()
   }

@@ -1,4 +1,4 @@
-import { saidOf } from '../../../text/said'
+import { sceneText } from '../../../text/scene-text'
 import type { Generator, ParameterValue, Planner, Scene } from 'forage-lab'
 import { codeOf } from '../../../catalogue/own'
 import { applies, standardOn } from '../../../catalogue/parameters'
@@ -80,7 +80,7 @@ export const told = (value: ParameterValue | undefined): string => String(value)
 
 /** What is drawn on: a scene, or random maps. */
 export const groundOf = ({ scene, maps }: Plan, generators: readonly Generator[]): string =>
-  generators.find(({ name }) => name === maps?.generator)?.title ?? saidOf(scene.title)
+  generators.find(({ name }) => name === maps?.generator)?.title ?? sceneText(scene.title)
 
 /** What an entrant is called: its planner, and in which parameters it differs from others with the same planner. */
 export function labels(plan: Plan, planners: readonly Planner[]): string[] {

@@ -1,4 +1,4 @@
-import { saidOf } from '../../../text/said'
+import { sceneText } from '../../../text/scene-text'
 import { punctuation } from '../../../locales/en/punctuation'
 import { figures as text } from '../../../locales/en/figures'
 import { exactly, number } from '../../../text/number'
@@ -14,7 +14,7 @@ export function describedOf(shown: Shown, chart: string, caption: string): Descr
   return {
     name: `${nameOf(shown)}-${chart}`,
     caption: [
-      text.compared(of, plan.maps ? plan.maps.generator : saidOf(plan.scene.title)),
+      text.compared(of, plan.maps ? plan.maps.generator : sceneText(plan.scene.title)),
       [caption, text.seeds(exactly(plan.from), exactly(plan.from + plan.count - 1)), ...budget].join(' '),
     ],
     link: location.href,

@@ -5,7 +5,7 @@ import { common } from '../locales/en/common'
 const RANDOM = /^(.+?)((?:, .+)?), seed (\d+)$/
 
 /** A title, a note or a unit of a scene in the language of the page: of those that ship and of random ones, others are as somebody wrote them. */
-export function saidOf(text: string): string {
+export function sceneText(text: string): string {
   const known = language.titles.get(text)
   if (known !== undefined) return known
   const [, title = '', size = '', seed = ''] = RANDOM.exec(text) ?? []
