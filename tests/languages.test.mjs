@@ -8,6 +8,7 @@ import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { english } from '../scripts/languages/english.mjs'
 import { compare, languageOf, saidAt, tagsOf } from '../scripts/languages/folder.mjs'
+import { numbered } from '../package/texts.js'
 import { skeletonOf, textsOf } from '../scripts/languages/page.mjs'
 
 const root = fileURLToPath(new URL('..', import.meta.url))
@@ -18,6 +19,19 @@ const tags = tagsOf(locales)
 test('every language has every text, translated from the English of today', () => {
   assert.ok(tags.includes('zh-CN'))
   for (const tag of tags) assert.deepEqual(compare(source, languageOf(join(locales, tag))), { missing: [], stale: [], unused: [] }, tag)
+})
+
+test('titles and columns of what is reproduced are among the words to translate', () => {
+  const lines = readFileSync(join(root, 'REPRODUCTION.md'), 'utf8').split('\n')
+  const printed = lines.flatMap((line, k) => {
+    // What a document writes over the questions of a claim is in no table of a terminal.
+    const title = /^\*\*(?!Questions of )(.*)\*\*$/.exec(line)?.[1]
+    const columns = /^\|[ :-]+-[-| :]*$/.test(line) ? lines[k - 1].split('|').map((cell) => cell.trim()) : []
+    return [title, ...columns].filter((text) => /[A-Za-z]{2}/.test(text ?? ''))
+  })
+  assert.ok(printed.length > 300)
+  const words = new Set(Object.values(source.texts).flat())
+  assert.deepEqual([...new Set(printed)].filter((text) => !words.has(numbered(text).text)), [])
 })
 
 const placeholders = (text) => [...new Set(text.match(/\{ ?(?:NUMBER\()?\$?[\w-]+(?:, digits: \d+\))?/g) ?? [])].sort()

@@ -102,7 +102,13 @@ const OWN: &[Parameter] = &[
 
 /// Runs that show something.
 const CASES: &[Case] = &[
-    Case::new("map", "The best lay more, the worst less", "The colony agrees after some forty iterations.", "wolf-ant-20", &[]),
+    Case::new(
+        "map",
+        "The best way gets twice as much, the worst nothing",
+        "The colony agrees after some forty iterations.",
+        "wolf-ant-20",
+        &[],
+    ),
     Case::new(
         "misled",
         "Ranks mislead in rooms",
@@ -121,7 +127,7 @@ const PSEUDOCODE: &[&str] = &[
     "    $\\eta$ ranks the neighbours by their distance to the goal",
     "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
     "  pheromone evaporates, with $\\rho$ = @rho@; each ant that arrived lays $Q / L$",
-    "  the iteration’s best way gets more, its worst way less",
+    "  the iteration’s best way gets $Q / L$ once more for each of its ants, its worst way nothing",
     "  the shortest path so far has length @length@",
 ];
 
@@ -130,7 +136,7 @@ pub const ENTRY: Entry = Entry::new(
     "aco-wolf",
     "Wolf-pack ant colony",
     "[WOLF-ANT] §5.1",
-    "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",
+    "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets twice the pheromone, its worst way none.",
     |start| planner::start(start, variant(start.parameters)),
 )
 .family("ants")

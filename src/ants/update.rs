@@ -15,7 +15,7 @@ pub enum Update {
         /// φ2.
         phi2: f64,
     },
-    /// [WOLF-ANT](crate#papers) (10)–(12): the iteration's best way gets more, its worst way less.
+    /// [WOLF-ANT](crate#papers) (10)–(12): the iteration's best way gets twice as much, its worst way nothing.
     Wolf,
     /// An own one. It may be negative; what is no finite number is 0.
     Own(fn(&Arrival) -> f64),

@@ -199,6 +199,9 @@ pub(super) const FORMULA_TIME: Formula = Formula::new(
     "T = @driving@ + @turning_time@ + @waited@ = @time@",
 );
 
+const CLOSEST: Layer =
+    layers::CANDIDATES.titled("Closest approach", "The robot and an obstacle when they will be nearest, if both go on as they do.");
+
 /// What a drive on searched ways draws.
 pub(super) const LAYERS_BARE: &[Layer] = &[
     layers::PREDICTED,
@@ -210,7 +213,7 @@ pub(super) const LAYERS_BARE: &[Layer] = &[
     layers::MOVING,
     layers::ROBOT,
     layers::VELOCITY,
-    layers::CANDIDATES,
+    CLOSEST,
     layers::BEFORE,
     layers::AFTER,
     layers::SUPPOSED,
@@ -232,7 +235,7 @@ pub(super) const LAYERS: &[Layer] = &[
     layers::MOVING,
     layers::ROBOT,
     layers::VELOCITY,
-    layers::CANDIDATES,
+    CLOSEST,
     layers::WAY,
     layers::TO_GOAL,
     layers::STEP,

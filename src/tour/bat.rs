@@ -449,7 +449,7 @@ const PSEUDOCODE: &[&str] = &[
     "  for each bat:",
     "    far from the best tour it crosses over with it; close to it, it tries 2-opt moves",
     "    the tour found is improved by local search, where that is chosen",
-    "    near the best it accepts with its loudness (on average @loudness@) as probability",
+    "    near the best it accepts what is shorter, the rarer the louder it is (on average @loudness@)",
     "    then it gets quieter, and its pulse rate (on average @pulse_rate@) falls",
     "  a tour differs from the shortest at @different@ places, on average",
     "  the shortest tour has length @best@",

@@ -269,6 +269,8 @@ impl Search for Swarm {
             let by = gain.abs();
             let became = if record {
                 message!("tour-became-record", "Its tour became {by:.4} shorter: the shortest that it had.", by)
+            } else if by < 5e-5 {
+                message!("tour-as-long", "Its tour is as long as before.")
             } else if gain > 0.0 {
                 message!("tour-became-shorter", "Its tour became {by:.4} shorter.", by)
             } else {

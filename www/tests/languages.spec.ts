@@ -1,6 +1,6 @@
 import { expect, type Page, test as base } from '@playwright/test'
 import { SITE } from './support/site'
-import { cut, HOME, type Read, read, type Spoken, type View, VIEWS } from './support/walk'
+import { cut, HOME, HOSTED, type Read, read, type Spoken, type View, VIEWS } from './support/walk'
 
 /* What the page says in each language, wherever somebody comes. */
 
@@ -71,14 +71,10 @@ async function seen(page: Page, spoken: Spoken, view: View): Promise<void> {
   await page.setViewportSize({ width: WIDTHS[0] ?? 0, height: 900 })
   await view.open(page, spoken)
   expect(await page.evaluate(() => document.documentElement.lang)).toBe(spoken.tag)
-  const texts = await read(page)
-  expect(texts.length).toBeGreaterThan(5)
-  expect
-    .soft(
-      texts.filter((text) => asWritten[spoken.tag]?.(text)),
-      `${view.name}: in another language`,
-    )
-    .toEqual([])
+  expect((await read(page)).length).toBeGreaterThan(3)
+  // What no first view has comes after it.
+  const others = async () => (await read(page)).filter((text) => asWritten[spoken.tag]?.(text))
+  await softly.poll(others, { message: `${view.name}: in another language`, timeout: 3000 }).toEqual([])
   for (const width of WIDTHS) {
     await page.setViewportSize({ width, height: 900 })
     // What is laid out by its size settles first.
@@ -92,7 +88,9 @@ for (const [name, spoken] of Object.entries({ 'in Chinese': CHINESE, 'in English
   test(`${name} a sample of views has no other language, and fits`, { tag: '@smoke' }, async ({ walk }) => {
     await walk(spoken, sample)
   })
-  for (const [k, views] of groups(VIEWS).entries())
+  // The build with accents is a page only.
+  const all = spoken === ACCENTED ? VIEWS : [...VIEWS, ...HOSTED]
+  for (const [k, views] of groups(all).entries())
     test(`${name} views have no other language, and fit: ${k + 1}`, async ({ walk }) => {
       test.setTimeout(180_000)
       await walk(spoken, views)

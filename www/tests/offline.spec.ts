@@ -74,8 +74,11 @@ test('once kept, the page opens without a network: any run, any room, an embed',
 })
 
 test('once it is installed, the page in one file is saved without a network', async ({ page, site }) => {
-  const devtools = await page.context().newCDPSession(page)
-  await devtools.send('Emulation.setEmulatedMedia', { features: [{ name: 'display-mode', value: 'standalone' }] })
+  // A browser without a window of its own for apps says so by the query only.
+  await page.addInitScript(() => {
+    const asked = matchMedia.bind(window)
+    window.matchMedia = (query) => asked(query === '(display-mode: standalone)' ? 'all' : query)
+  })
   await page.goto(`${site.address}${SWARM}`)
   const kept = () => page.evaluate(async () => Boolean(await caches.match(new URL('single-file.html', location.href).href)))
   await expect.poll(kept, { timeout: 30_000 }).toBe(true)

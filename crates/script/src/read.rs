@@ -49,7 +49,11 @@ fn kept(name: String) -> Option<&'static str> {
 
 /// What is said of code that uses what is lent to it at another time.
 pub fn not_lent() -> Error {
-    Error::refused("tools", "a call from elsewhere", message!("script-lent", "used only while `start` or `advance` runs"))
+    Error::refused(
+        "tools",
+        message!("script-elsewhere", "a call from elsewhere"),
+        message!("script-lent", "used only while `start` or `advance` runs"),
+    )
 }
 
 /// What is said of code that threw something.

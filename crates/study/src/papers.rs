@@ -125,7 +125,7 @@ pub const PAPERS: [Paper; 5] = [
         affiliation: Some("西南科技大学信息工程学院, 四川绵阳 621010"),
         journal: Some("Techniques of Automation & Applications, 2012, no. 10, p. 31"),
         year: Some(2012),
-        reference: "文章编号 1003-7241(2012)10-0031-07; no DOI is printed, and none was found.",
+        reference: "Article ID 1003-7241(2012)10-0031-07; no DOI is printed, and none was found.",
         pictures: &[
             picture(
                 "Figs 1 and 2",

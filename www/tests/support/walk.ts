@@ -293,6 +293,30 @@ export const VIEWS: readonly View[] = [
   ...lessonNames.map(lesson),
 ]
 
+/** The page where it is not a page: in one file, and in somebody else's. */
+export const HOSTED: readonly View[] = [
+  {
+    name: 'in one file',
+    async open(page, spoken) {
+      await opened(`single-file.html${run('wcpso', 'wcpso-discs', 20, '&page.tab=setup')}`)(page, spoken)
+      await unfolded(page)
+    },
+  },
+  ...['none', 'play', 'full'].map((controls) => ({
+    name: `element with ${controls}`,
+    async open(page: Page, { site, tag }: Spoken) {
+      await page.goto(`${site}course.html`)
+      const link = run('wcpso', 'wcpso-discs', 20).replaceAll('&', '&amp;')
+      const element = `<forage-run src="${link}" lang="${tag}" controls="${controls}" style="height: 30rem"></forage-run>`
+      await page.setContent(
+        `<!doctype html><html lang="${tag}"><title>A</title><meta name="viewport" content="width=device-width"><script src="element.js"></script>${element}`,
+      )
+      await expect(page.locator('forage-run')).toHaveAttribute('data-iteration', '20')
+      await settled(page)
+    },
+  })),
+]
+
 export const HOME: Spoken = { tag: 'en', site: SITE }
 /** A text that somebody reads, hears or finds under the pointer, and where. */
 export interface Read {
