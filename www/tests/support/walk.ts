@@ -309,7 +309,7 @@ export const HOSTED: readonly View[] = [
       const link = run('wcpso', 'wcpso-discs', 20).replaceAll('&', '&amp;')
       const element = `<forage-run src="${link}" lang="${tag}" controls="${controls}" style="height: 30rem"></forage-run>`
       await page.setContent(
-        `<!doctype html><html lang="${tag}"><title>A</title><meta name="viewport" content="width=device-width"><script src="element.js"></script>${element}`,
+        `<!doctype html><html lang="${tag}"><title>A</title><meta name="viewport" content="width=device-width"><style>body { margin: 0 }</style><script src="element.js"></script>${element}`,
       )
       await expect(page.locator('forage-run')).toHaveAttribute('data-iteration', '20')
       await settled(page)
