@@ -54,7 +54,9 @@ export function languageIn(languages, tag) {
   return tag
 }
 // Texts that differ in their numbers only are translated once: `{1} of {2} seeds`.
-const NUMBER = /(?<![\w.{])[-−]?\d+(?:[,.]\d+)*(?:e[-+]?\d+)?(?![\w}])/g
+// A list of numbers is one: `with the seeds {1}`.
+const ONE = '[-−]?\\d+(?:[,.]\\d+)*(?:e[-+]?\\d+)?(?![\\w}]|[,.]\\d)'
+const NUMBER = new RegExp(`(?<![\\w.{])${ONE}(?: ${ONE})*`, 'g')
 
 /** A text with its numbers replaced by `{1}`, `{2}` …, and the numbers. */
 export function numbered(text) {

@@ -31,7 +31,15 @@ test('titles and columns of what is reproduced are among the words to translate'
   })
   assert.ok(printed.length > 300)
   const words = new Set(Object.values(source.texts).flat())
-  assert.deepEqual([...new Set(printed)].filter((text) => !words.has(numbered(text).text)), [])
+  assert.deepEqual(
+    [...new Set(printed)].filter((text) => !words.has(numbered(text).text)),
+    [],
+  )
+})
+
+test('numbers are told from texts, as the shell does', () => {
+  for (const [text, pattern, numbers] of JSON.parse(readFileSync(join(root, 'tests/numbered.json'), 'utf8')))
+    assert.deepEqual(numbered(text), { text: pattern, numbers })
 })
 
 const placeholders = (text) => [...new Set(text.match(/\{ ?(?:NUMBER\()?\$?[\w-]+(?:, digits: \d+\))?/g) ?? [])].sort()

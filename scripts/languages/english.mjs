@@ -68,6 +68,25 @@ function figures(csv) {
   return parse(csv, { columns: true }).flatMap((row) => own.map((column) => row[column]))
 }
 
+/** What a reproduction prints in a terminal besides its tables' words: notes, and what is in cells. */
+function printed(markdown) {
+  // What a document has of its own: how figures are marked, questions of claims, and lists under a line that introduces them.
+  const [, ...papers] = markdown.split(/^## (?=\[)/m)
+  const parts = papers.flatMap((paper) => paper.split(/^(?=#|\*\*)/m)).filter((part) => !part.startsWith('**Questions of '))
+  return parts.flatMap((part) => {
+    const lines = part.split('\n')
+    const introduced = new Set()
+    for (const [k, line] of lines.entries())
+      if (line.startsWith('- ') && (introduced.has(k - 1) || /:$/.test(lines[k - 1] || lines[k - 2] || ''))) introduced.add(k)
+    return lines.flatMap((line, k) => {
+      if (line.startsWith('- ')) return introduced.has(k) ? [] : [line.slice(2)]
+      if (!line.startsWith('| ')) return []
+      const cells = line.split(/(?<!\\)\|/).map((cell) => cell.trim().replaceAll('\\|', '|'))
+      return cells.filter((cell) => !/^(?:[\w-]+|`.*)$/.test(cell))
+    })
+  })
+}
+
 /**
  * All English by kinds: messages by key, texts by file, lessons by name and key, and the page's texts by key.
  * @param shell the command line of this version
@@ -79,11 +98,12 @@ export function english(shell) {
     .map((file) => json(`lessons/${file}`))
   const catalogue = run('list', '--json')
   const names = namesOf(catalogue)
-  const printed = [...claimed(json('REPRODUCTION.claims.json')), ...figures(readFileSync(`${root}/REPRODUCTION.csv`, 'utf8'))]
+  const published = [...claimed(json('REPRODUCTION.claims.json')), ...figures(readFileSync(`${root}/REPRODUCTION.csv`, 'utf8'))]
   const texts = {
     ...catalogued(catalogue),
-    papers: printed.filter((text) => !names.has(text)).map((text) => numbered(text).text),
+    papers: published.filter((text) => !names.has(text)).map((text) => numbered(text).text),
     shell: run('list', '--texts'),
+    reproduction: printed(readFileSync(`${root}/REPRODUCTION.md`, 'utf8')).map((text) => numbered(text).text),
   }
   const known = new Set()
   for (const [file, list] of Object.entries(texts)) {

@@ -53,7 +53,9 @@ test('every paper has a card with its title, authors, claims and their marks', {
   for (const { tag, title, english, authors, reference, pictures } of papers) {
     const card = page.getByTestId(`paper-${tag}`)
     for (const part of [title ?? english, english]) await expect(card.getByRole('heading', { level: 3 })).toContainText(part)
-    for (const part of [...(authors ?? []), reference]) await expect(card.getByTestId('citation')).toContainText(part)
+    // Chinese names have a Chinese comma between them.
+    const printed = (authors ?? []).map((names) => (/[\u3400-\u9fff]/.test(names) ? names.replaceAll(', ', '，') : names))
+    for (const part of [...printed, reference]) await expect(card.getByTestId('citation')).toContainText(part)
     const mine = claims.filter(({ paper }) => paper === tag)
     for (const [mark, count] of marked(mine))
       await expect(card.getByTestId('summary')).toContainText(text.count(number(count), text.names.claim[mark]))

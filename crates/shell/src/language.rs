@@ -78,8 +78,20 @@ fn numbered(text: &str) -> (String, Vec<&str>) {
     (pattern, numbers)
 }
 
-/// How long the number is that a text begins with: digits with points and commas between them, and a power of ten. 0: none.
+/// How long the number is that a text begins with, or the numbers with spaces between them. 0: none.
 fn number(text: &str) -> usize {
+    let mut end = one(text);
+    while end > 0 && text[end..].starts_with(' ') {
+        match one(&text[end + 1..]) {
+            0 => break,
+            more => end += 1 + more,
+        }
+    }
+    end
+}
+
+/// Digits with points and commas between them, and a power of ten.
+fn one(text: &str) -> usize {
     let digits = |at: usize| text[at..].bytes().take_while(u8::is_ascii_digit).count();
     let sign = |at: usize| text[at..].chars().next().filter(|c| ['-', '−', '+'].contains(c)).map_or(0, char::len_utf8);
     let mut end = if text.starts_with('+') { 0 } else { sign(0) };
@@ -113,8 +125,11 @@ mod tests {
 
     #[test]
     fn numbers_are_told_from_texts() {
-        assert_eq!(numbered("There are 2 stops, not 1,000."), ("There are {1} stops, not {2}.".to_owned(), vec!["2", "1,000"]));
-        assert_eq!(numbered("[WCPSO] §2.1, r1 (−1.5e-3)"), ("[WCPSO] §{1}, r1 ({2})".to_owned(), vec!["2.1", "−1.5e-3"]));
-        assert_eq!(numbered("2-opt"), ("{1}-opt".to_owned(), vec!["2"]));
+        // package/texts.js finds the same.
+        let cases: Vec<(String, String, Vec<String>)> = serde_json::from_str(include_str!("../../../tests/numbered.json")).unwrap();
+        for (text, pattern, numbers) in &cases {
+            let (found, values) = numbered(text);
+            assert_eq!((&found, values), (pattern, numbers.iter().map(String::as_str).collect()), "{text}");
+        }
     }
 }

@@ -202,7 +202,7 @@ fn notes(scene: &Scene, found: &[Vec<Run>], tuned: &[Tuned]) -> Result<Vec<Strin
             misprinted.join(", ")
         ));
     }
-    notes.push("`seconds`: length / speed + turns × the time of a turn, with the scene’s robot (20 px/s, 1 s). aco runs with its own defaults, those of [ANTBAT], and the ants and iterations of aco-wolf; our notes on the paper have no other parameters for its traditional ants.".to_owned());
+    notes.push("`seconds`: length / speed + turns × the time of a turn, with the scene’s robot (20 px/s, 1 s). aco runs with the parameters of [ANTBAT], and the ants and iterations of aco-wolf; the paper prints no other parameters of its traditional ants.".to_owned());
     let spread: Vec<_> = TUNED
         .iter()
         .enumerate()

@@ -2,7 +2,6 @@ import { mount } from 'svelte'
 import { useHost } from '../../engine/host'
 import { prepare } from '../prepare'
 import App from './App.svelte'
-import Frame from './Frame.svelte'
 import { pageHost } from './host'
 import 'virtual:palette.css'
 import '../../ui/theme/tokens.css'
@@ -10,4 +9,7 @@ import '../../ui/theme/base.css'
 
 useHost(pageHost)
 const target = document.getElementById('app')
-void prepare().then(() => target && mount(new URLSearchParams(location.search).has('embed') ? Frame : App, { target }))
+/** A frame in another page is a smaller thing, and the page is read by more. */
+const isFrame = new URLSearchParams(location.search).has('embed')
+const shown = isFrame ? import('./Frame.svelte').then((module) => module.default) : App
+void prepare().then(async () => target && mount(await shown, { target }))
