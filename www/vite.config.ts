@@ -84,7 +84,16 @@ export default defineConfig({
           groups: [
             {
               name: 'shared',
-              test: /node_modules\/(svelte|esm-env|clsx)\/|vite\/preload-helper|src\/text\/number|scene\/stops\.ts|locales\/en\/common\.ts/,
+              test: new RegExp(
+                [
+                  '/node_modules/(?:svelte|esm-env|clsx)/',
+                  'vite/preload-helper',
+                  'virtual:languages$',
+                  '/describe/palette\\.json$',
+                  '/src/(?:locales/(?:en/common|language\\.svelte)|render/(?:asking|frame|heights|looks|palette|view)|scene/(?:cells|stops)|stores/(?:context\\.svelte|storage)|text/number)\\.ts$',
+                  '/src/(?:engine/host\\.ts|ui/(?:Fold|Icon|Tabs)\\.svelte)',
+                ].join('|'),
+              ),
             },
           ],
         },

@@ -5,6 +5,7 @@ import { prepare } from '../prepare'
 import File from './File.svelte'
 import 'virtual:palette.css'
 import '../../ui/theme/tokens.css'
+import '../../ui/theme/literata.css'
 import '../../ui/theme/base.css'
 
 document.currentScript?.remove()
