@@ -123,7 +123,13 @@ export async function speakIn(tag) {
   // Parts that are on their way, too: their words were asked for in the language of before.
   const there = ['swarm', ...PARTS].filter((part) => coming.has(`words ${language} ${part}`) || isAdded(part))
   asked = next
-  if (ours) await Promise.all(there.map((part) => spoken(part, next)))
+  try {
+    if (ours) await Promise.all(there.map((part) => spoken(part, next)))
+  } catch (error) {
+    // Parts that come later speak the language of before, too.
+    if (asked === next) asked = language
+    throw error
+  }
   // A later call wins.
   if (asked === next) language = next
 }

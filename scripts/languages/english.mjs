@@ -69,7 +69,7 @@ function figures(csv) {
 }
 
 /** What a reproduction prints in a terminal besides its tables' words: notes, and what is in cells. */
-function printed(markdown) {
+function reported(markdown) {
   // What a document has of its own: how figures are marked, questions of claims, and lists under a line that introduces them.
   const [, ...papers] = markdown.split(/^## (?=\[)/m)
   const parts = papers.flatMap((paper) => paper.split(/^(?=#|\*\*)/m)).filter((part) => !part.startsWith('**Questions of '))
@@ -99,11 +99,12 @@ export function english(shell) {
   const catalogue = run('list', '--json')
   const names = namesOf(catalogue)
   const published = [...claimed(json('REPRODUCTION.claims.json')), ...figures(readFileSync(`${root}/REPRODUCTION.csv`, 'utf8'))]
+  // A text is in the first file that has it: the page has that of the papers alone.
   const texts = {
-    ...catalogued(catalogue),
     papers: published.filter((text) => !names.has(text)).map((text) => numbered(text).text),
+    ...catalogued(catalogue),
     shell: run('list', '--texts'),
-    reproduction: printed(readFileSync(`${root}/REPRODUCTION.md`, 'utf8')).map((text) => numbered(text).text),
+    reproduction: reported(readFileSync(`${root}/REPRODUCTION.md`, 'utf8')).map((text) => numbered(text).text),
   }
   const known = new Set()
   for (const [file, list] of Object.entries(texts)) {

@@ -60,6 +60,9 @@ export const tagsOf = (folder) =>
 
 const said = (entry) => (typeof entry === 'string' ? entry : (entry?.says ?? entry?.['']))
 
+/** Whether something of the catalogue is at a place, or below it; the empty one is everywhere. */
+export const isPlace = (place, paths) => place === '' || paths.some((path) => path === place || path.startsWith(`${place}.`))
+
 /** What is missing, translated from another English, and not used any more: lists of keys, each with what it is of. */
 export function compare(english, language) {
   const found = { missing: [], stale: [], unused: [] }
@@ -76,9 +79,9 @@ export function compare(english, language) {
   for (const text of known) if (!said(language.texts[text])) add('missing', 'texts', text)
   for (const [text, entry] of Object.entries(language.texts)) {
     if (!known.has(text)) add('unused', 'texts', text)
-    for (const place of typeof entry === 'object' ? Object.keys(entry) : [])
-      if (place !== '' && !english.paths.some((path) => path === place || path.startsWith(`${place}.`)))
-        add('unused', 'texts', `${text} at ${place}`)
+    for (const [place, way] of typeof entry === 'object' ? Object.entries(entry) : [])
+      if (!isPlace(place, english.paths)) add('unused', 'texts', `${text} at ${place}`)
+      else if (place !== '' && !way) add('missing', 'texts', `${text} at ${place}`)
   }
   for (const [name, texts] of Object.entries(english.lessons)) keyed(`lessons/${name}`, texts, language.lessons[name] ?? {})
   for (const name of Object.keys(language.lessons)) if (!english.lessons[name]) add('unused', 'lessons', name)

@@ -2,7 +2,7 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { english } from './english.mjs'
-import { compare, fileOf, json, languageOf, tagsOf, write } from './folder.mjs'
+import { compare, fileOf, isPlace, json, languageOf, tagsOf, write } from './folder.mjs'
 import { skeletonOf } from './page.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
@@ -18,6 +18,10 @@ const folder = `${locales}/${tag}`
 /** An entry for each key: what there is, or an empty one. */
 const completed = (texts, known, empty) => Object.fromEntries(Object.entries(texts).map(([key, text]) => [key, known[key] ?? empty(text)]))
 
+/** A text without the places that there are no longer. */
+const placed = (entry, paths) =>
+  typeof entry === 'string' ? entry : Object.fromEntries(Object.entries(entry).filter(([place]) => isPlace(place, paths)))
+
 /** Adds what is missing, with nothing said, and removes what is not used: every file in the order of the English. */
 function update() {
   const { messages, texts } = languageOf(folder)
@@ -32,8 +36,12 @@ function update() {
   }
   const keyed = (text) => ({ english: text, says: '' })
   for (const [file, list] of Object.entries(byFile)) put(`messages/${file}`, completed(list, messages, keyed))
-  const kept = new Set(Object.values(source.texts).flat())
-  for (const [text, said] of Object.entries(texts)) if (!kept.has(text)) console.log(`removed: ${JSON.stringify({ [text]: said })}`)
+  const used = new Set(Object.values(source.texts).flat())
+  for (const [text, said] of Object.entries(texts)) {
+    const rest = placed(said, source.paths)
+    if (!used.has(text) || JSON.stringify(rest) !== JSON.stringify(said)) console.log(`removed: ${JSON.stringify({ [text]: said })}`)
+    texts[text] = rest
+  }
   for (const [file, list] of Object.entries(source.texts))
     put(
       `texts/${file}`,

@@ -72,8 +72,12 @@ async function seen(page: Page, spoken: Spoken, view: View): Promise<void> {
   await view.open(page, spoken)
   expect(await page.evaluate(() => document.documentElement.lang)).toBe(spoken.tag)
   expect((await read(page)).length).toBeGreaterThan(3)
-  // What no first view has comes after it.
-  const others = async () => (await read(page)).filter((text) => asWritten[spoken.tag]?.(text))
+  // What no first view has comes after it; nothing else does once all is there.
+  const others = async () => {
+    const found = (await read(page)).filter((text) => asWritten[spoken.tag]?.(text))
+    await page.waitForTimeout(found.length > 0 ? 0 : 300)
+    return found.length > 0 ? found : (await read(page)).filter((text) => asWritten[spoken.tag]?.(text))
+  }
   await softly.poll(others, { message: `${view.name}: in another language`, timeout: 3000 }).toEqual([])
   for (const width of WIDTHS) {
     await page.setViewportSize({ width, height: 900 })

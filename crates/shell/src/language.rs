@@ -64,7 +64,7 @@ fn numbered(text: &str) -> (String, Vec<&str>) {
     let (mut pattern, mut numbers, mut at) = (String::new(), Vec::new(), 0);
     while let Some(character) = text[at..].chars().next() {
         let begins = !text[..at].ends_with(|c: char| c.is_ascii_alphanumeric() || "_.{".contains(c));
-        let length = if begins { number(&text[at..]) } else { 0 };
+        let length = if begins { list_length(&text[at..]) } else { 0 };
         if length == 0 {
             pattern.push(character);
             at += character.len_utf8();
@@ -79,10 +79,10 @@ fn numbered(text: &str) -> (String, Vec<&str>) {
 }
 
 /// How long the number is that a text begins with, or the numbers with spaces between them. 0: none.
-fn number(text: &str) -> usize {
-    let mut end = one(text);
+fn list_length(text: &str) -> usize {
+    let mut end = number_length(text);
     while end > 0 && text[end..].starts_with(' ') {
-        match one(&text[end + 1..]) {
+        match number_length(&text[end + 1..]) {
             0 => break,
             more => end += 1 + more,
         }
@@ -91,7 +91,7 @@ fn number(text: &str) -> usize {
 }
 
 /// Digits with points and commas between them, and a power of ten.
-fn one(text: &str) -> usize {
+fn number_length(text: &str) -> usize {
     let digits = |at: usize| text[at..].bytes().take_while(u8::is_ascii_digit).count();
     let sign = |at: usize| text[at..].chars().next().filter(|c| ['-', '−', '+'].contains(c)).map_or(0, char::len_utf8);
     let mut end = if text.starts_with('+') { 0 } else { sign(0) };

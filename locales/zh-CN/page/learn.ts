@@ -26,4 +26,6 @@ export const learn: Translated<typeof English.learn> = {
     text: '论文的论断，以及重新运行的结果。',
     open: '查看论文',
   },
+  unknown: (name: string) => `没有课程“${name}”。`,
+  loading: '课程加载中……',
 }

@@ -14,8 +14,6 @@ export const lesson: Translated<typeof English.lesson> = {
   forget: '删除学习进度',
   forgotten: '学习进度已删除',
   kept: '学习进度只保存在本浏览器中。',
-  unknown: (name: string) => `没有课程“${name}”。`,
-  loading: '课程加载中……',
   close: '全部课程',
   goals: '学完本课程后，能够',
   notes: '教师备注',
@@ -89,7 +87,7 @@ export const lesson: Translated<typeof English.lesson> = {
       `预测的箭头末端与实际到达的位置相距 ${off}。实际移动距离为 ${length}；预测的方向偏差 ${angle}°。`,
     cell: (direction: string, chosen: string, best: string, likeliest: string) =>
       direction === best
-        ? `选择了${direction}方向，是概率最大的一步：${chosen}。`
+        ? `选择的是${direction}方向，概率最大：${chosen}。`
         : `选择了${direction}方向：概率 ${chosen}。概率最大的是${best}方向：${likeliest}。`,
     node: (chosen: string, nearest: string) => `所选节点到采样点的距离为 ${chosen}，最近节点的距离为 ${nearest}。`,
     member: (index: number, value: string, rank: number, best: number, smallest: string) =>

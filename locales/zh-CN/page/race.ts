@@ -38,7 +38,7 @@ export const race: Translated<typeof English.race> = {
   },
   stageHelp:
     '空格键播放或暂停。左右方向键后退或前进一个节拍，按住 Shift 为 10 个节拍；Home 和 End 跳到开头和末尾。加号和减号缩放，0 显示全部，上下方向键平移视图，所有赛道同步变化。',
-  tools: { label: '所有赛道的视图', in: '放大', out: '缩小', fit: '显示全部' },
+  tools: { label: '所有画面的视图', in: '放大', out: '缩小', fit: '显示全部' },
   transport: {
     label: '对比进程',
     restart: '回到开头',

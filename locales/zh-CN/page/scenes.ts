@@ -72,7 +72,7 @@ export const scenes: Translated<typeof English.scenes> = {
     unreadable: (names: string) => `无法读取以下文件：${names}。`,
     title: '读取结果',
     read: (names: string) => `已读取 ${names}`,
-    problem: (last: string) => `问题编号，0 至 ${last}`,
+    problem: (last: string) => `算例编号，0 至 ${last}`,
     option: (n: number, start: string, goal: string, length: string) => `${n}：${start} → ${goal}，${length} 格`,
   },
   exports: {

@@ -44,7 +44,7 @@ export const workshop: Translated<typeof English.workshop> = {
     before: '之前',
     now: '现在',
     more: (count: number) => `另有 ${count} 个变量已改变。`,
-    rest: (count: number) => `${count} 个数值或文本未改变。`,
+    rest: (count: number) => `${count} 个数值或字符串未改变。`,
     absent: '—',
   },
   checks: {

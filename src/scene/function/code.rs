@@ -6,7 +6,8 @@ use serde_json::Value;
 
 use crate::{
     kernel::{
-        Error, Header, Message, Scene,
+        Error, Header, Message, Scene, allowed,
+        fields::shown,
         objective::{Objective, Scratch, SearchBox},
         scene_file,
     },
@@ -66,7 +67,7 @@ impl FunctionScene {
 /// The field, its value and what is allowed.
 pub fn from_code(value: Value, objective: impl FnOnce(SearchBox) -> Result<Arc<dyn Objective>, Error>) -> Result<Scene, Error> {
     let Value::Object(mut given) = value else {
-        return Err(Error::refused("scene", message!("error-nothing", "nothing"), message!("error-an-object", "an object")));
+        return Err(Error::refused("scene", shown(&value), allowed::object()));
     };
     let usual = [
         ("format", Value::from("forage-scene")),

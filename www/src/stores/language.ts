@@ -34,8 +34,12 @@ export function nextLanguage(): (typeof languages)[number] {
   return languages[(k + 1) % languages.length] as (typeof languages)[number]
 }
 
+/** The user has chosen a language since the page was opened. */
+export let isChosen = false
+
 /** The user chooses a language. */
 export function chooseLanguage(tag: Tag): Promise<void> {
+  isChosen = true
   remember('language', tag)
   return language.speak(tag)
 }

@@ -4,6 +4,7 @@ import type { Item, LinkSetup, Point } from 'forage-lab'
 import { SideRun } from '../engine/side-run'
 import type { Lesson, Question, Step } from '../lessons/format'
 import { checkNames } from '../lessons/names'
+import { language } from '../locales/language.svelte'
 import {
   type ArrowScore,
   type CellScore,
@@ -110,6 +111,7 @@ export class LessonStore {
     if (!catalogue) return
     checkNames(lesson, catalogue)
     this.close()
+    language.listeners.add(this.translate)
     this.lesson = lesson
     this.source = source
     // What runs at several steps is one run.
@@ -145,6 +147,7 @@ export class LessonStore {
 
   close(): void {
     this.rest()
+    language.listeners.delete(this.translate)
     this.source = ''
     this.lesson = this.own = this.shown = this.guess = null
     this.truths = {}
@@ -295,23 +298,29 @@ export class LessonStore {
   }
 
   /** Computes what a step asks for. */
-  private async find(index: number): Promise<void> {
+  private async find(index: number, again = false): Promise<void> {
     const { lesson } = this
     const step = lesson?.steps[index]
     const setup = this.setups[index]
-    if (!step?.question || !setup || this.truths[step.name]) return
+    if (!step?.question || !setup || (this.truths[step.name] && !again)) return
     this.side ??= new SideRun()
     const { side } = this
     try {
       const truth = await truthOf(step.question, setup, step.at, side)
       if (side !== this.side) return
       this.truths = { ...this.truths, [step.name]: truth }
+      this.failures = { ...this.failures, [step.name]: '' }
       // Which member it is that is to be explained was not known before.
-      if (truth.kind === 'member' && index === this.index && this.answers[step.name] && !this.forked) this.show()
+      if (!again && truth.kind === 'member' && index === this.index && this.answers[step.name] && !this.forked) this.show()
     } catch (error) {
       if (side !== this.side) return
       this.failures = { ...this.failures, [step.name]: error instanceof Error ? error.message : String(error) }
     }
+  }
+
+  /** What came out is explained in the page's language. */
+  private readonly translate = (): void => {
+    for (const [index, { name }] of this.steps.entries()) if (this.truths[name] || this.failures[name]) void this.find(index, true)
   }
 
   truthOf = (step: Step): Truth | null => this.truths[step.name] ?? null

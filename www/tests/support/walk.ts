@@ -63,9 +63,12 @@ function runViews(planner: string, scene: string, item: string, at = 12): View[]
 async function unfolded(page: Page): Promise<void> {
   for (const _ of [1, 2]) {
     await page.evaluate(() => {
-      for (const fold of document.querySelectorAll('details:not([open])')) fold.setAttribute('open', '')
-      for (const button of document.querySelectorAll<HTMLElement>('[aria-expanded=false]:not([aria-haspopup]):not([role=combobox])'))
-        button.click()
+      const roots = [document, ...[...document.querySelectorAll('forage-run')].map(({ shadowRoot }) => shadowRoot)]
+      for (const root of roots) {
+        for (const fold of root?.querySelectorAll('details:not([open])') ?? []) fold.setAttribute('open', '')
+        for (const button of root?.querySelectorAll<HTMLElement>('[aria-expanded=false]:not([aria-haspopup]):not([role=combobox])') ?? [])
+          button.click()
+      }
     })
     await settled(page)
   }
@@ -120,26 +123,16 @@ const lesson = (name: string): View => ({
     await opened(`#view=learn&lesson=${name}`)(page, spoken)
     await expect(page.getByTestId('lesson')).toHaveAttribute('data-lesson', name)
     for (;;) {
-      const here = page.locator('article[data-step][data-current=true], article.current').first()
+      const here = page.locator('li[aria-current="step"]')
+      await expect(here).toBeVisible()
       const options = here.getByRole('radio')
-      if (
-        await options
-          .first()
-          .isVisible()
-          .catch(() => false)
-      ) {
-        await options
-          .first()
-          .check({ force: true })
-          .catch(() => undefined)
-        await here
-          .getByTestId('predict-answer')
-          .click({ timeout: 2000 })
-          .catch(() => undefined)
-        await settled(page)
+      if (await options.count()) {
+        await options.first().check({ force: true })
+        await here.getByTestId('predict-answer').click()
+        await expect(here.getByTestId('feedback')).toBeVisible({ timeout: 30_000 })
       }
       const next = page.getByTestId('lesson-next')
-      if (!(await next.isVisible().catch(() => false)) || (await next.isDisabled())) break
+      if (await next.isDisabled()) break
       await next.click()
       await page.waitForTimeout(150)
     }
@@ -312,7 +305,8 @@ export const HOSTED: readonly View[] = [
         `<!doctype html><html lang="${tag}"><title>A</title><meta name="viewport" content="width=device-width"><style>body { margin: 0 }</style><script src="element.js"></script>${element}`,
       )
       await expect(page.locator('forage-run')).toHaveAttribute('data-iteration', '20')
-      await settled(page)
+      await expect(page.locator('forage-run .run')).toHaveAttribute('lang', tag)
+      await unfolded(page)
     },
   })),
 ]
@@ -370,7 +364,13 @@ export const cut = (page: Page): Promise<Read[]> =>
       }
       return false
     }
-    for (const element of document.querySelectorAll<HTMLElement>('body *')) {
+    const all = (root: ParentNode): HTMLElement[] =>
+      [...root.querySelectorAll<HTMLElement>('*')].flatMap((element) => [element, ...(element.shadowRoot ? all(element.shadowRoot) : [])])
+    for (const element of all(document.body)) {
+      const root = element.getRootNode()
+      // An element of ours is as wide as somebody else's page wants it.
+      const [start, end] =
+        root instanceof ShadowRoot ? [root.host.getBoundingClientRect().left, root.host.getBoundingClientRect().right] : [0, innerWidth]
       const own = [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim())
       if (!own || !element.checkVisibility() || element.closest('svg, canvas, .cm-editor, option, .brief, .visually-hidden')) continue
       const { overflowX } = getComputedStyle(element)
@@ -378,7 +378,7 @@ export const cut = (page: Page): Promise<Read[]> =>
       // For those who hear it only.
       if (width <= 1.5) continue
       const hidden = (overflowX === 'hidden' || overflowX === 'clip') && element.scrollWidth > element.clientWidth + 1
-      const outside = width > 1 && (right > innerWidth + 1 || left < -1)
+      const outside = width > 1 && (right > end + 1 || left < start - 1)
       if ((hidden || outside) && !apart(element.parentElement ?? element)) {
         const { testid } = (element.closest<HTMLElement>('[data-testid]')?.dataset ?? {}) as { testid?: string }
         found.push({

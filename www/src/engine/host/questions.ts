@@ -41,6 +41,7 @@ export interface Followed<T> {
 /** What a host can be asked. What is asked of a run waits until there is the run that is wanted, between two of its steps. */
 export function questionsTo(host: RunHost) {
   const ofRun = async <T>(ask: (session: Session) => T): Promise<Answer<T>> => {
+    await host.spoken
     for (;;) {
       if (!(await host.untilStepEnds())) return { ok: false, refusal: { message: 'there is no run', field: '' } }
       const { session } = host

@@ -72,6 +72,8 @@ export class RunHost {
   /** There are words. */
   private speaks = false
   private language = 'en'
+  /** Until then something else is spoken. */
+  spoken = Promise.resolve()
   /** Runs of other planners that the next step waits for. */
   private subtasks: { id: number; done(results: Finding[] | null): void } | null = null
   private asked = 0
@@ -152,8 +154,11 @@ export class RunHost {
   private async speakIn(language: string): Promise<void> {
     if (language === this.language) return
     this.language = language
-    await speakIn(language)
+    this.spoken = speakIn(language)
+    await this.spoken
     this.present?.reporter.repeat()
+    // A refusal is said once more, too.
+    this.rejected = null
     this.refresh()
   }
 

@@ -9,7 +9,7 @@ import { obey, stateOf, tell } from '../../rooms/embed/remote.svelte'
 import { attributesOf } from '../../stores/attributes'
 import { Lab } from '../../stores/lab.svelte'
 import { stillness, Theme } from '../../stores/theme.svelte'
-import { firstLanguage } from '../../stores/language'
+import { firstLanguage, isChosen } from '../../stores/language'
 import { lessonIn, type Place } from '../../stores/lesson-address'
 import { linkOf, SETUP } from './link'
 import Run from './Run.svelte'
@@ -128,7 +128,7 @@ export class ForageRun extends HTMLElement {
   /** A document has one language: that which an element asks for, or else that of a link or the browser. */
   private async speak(): Promise<void> {
     const asked = closest(this.getAttribute('lang') ?? '')
-    // The first one decides where none asks; a reader may have chosen another one since.
+    // The first one decides where none asks.
     if (asked === undefined && spoken) return
     spoken = true
     const tag = asked ?? firstLanguage(this.getAttribute('src') ?? '', '')
@@ -207,7 +207,7 @@ export class ForageRun extends HTMLElement {
     try {
       this.look.lesson = this.lesson
       address.first = await (this.look.lesson ? null : this.link())
-      await this.speak()
+      if (!isChosen) await this.speak()
       // It may have been taken away meanwhile.
       if (this.shown?.lab !== lab) return
       await lab.open()

@@ -25,4 +25,6 @@ export const learn = texts('learn', {
     text: 'What they claim, and what comes out when it is run again.',
     open: 'See the papers',
   },
+  unknown: (name: string) => `There is no lesson “${name}”.`,
+  loading: 'Loading the lesson …',
 } as const)

@@ -13,8 +13,6 @@ export const lesson = texts('lesson', {
   forget: 'Delete my progress',
   forgotten: 'Your progress is deleted',
   kept: 'Your progress is kept in this browser only.',
-  unknown: (name: string) => `There is no lesson “${name}”.`,
-  loading: 'Loading the lesson …',
   close: 'All lessons',
   goals: 'After this lesson you can',
   notes: 'Notes for the lecturer',
