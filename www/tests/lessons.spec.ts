@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test'
 import { catalogue, type Point, type Scene, type UncheckedSetup } from '../../pkg/node.js'
 import { lessonsIn } from '../plugins/lessons'
 import type { Lesson, Step } from '../src/lessons/format'
+import { learn } from '../src/locales/en/learn'
 import { lesson as text } from '../src/locales/en/lesson'
 import { extent, fit as fitted, isDown, margins, toScreen } from '../src/render/view'
 import { setupsOf } from '../src/stores/lesson-figures'
@@ -294,7 +295,7 @@ test('the dialog gives what shows a lesson on another page', async ({ lab, page 
 
 test('a lesson that there is not is said, and the page is there', async ({ lab, page }) => {
   await lab.open('#lesson=nothing')
-  await expect(page.getByRole('alert')).toContainText(text.unknown('nothing'))
+  await expect(page.getByRole('alert')).toContainText(learn.unknown('nothing'))
   await expect(page.getByTestId('learn-open')).toBeVisible()
 })
 

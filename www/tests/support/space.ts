@@ -27,10 +27,10 @@ export async function seenAt(lab: Lab, scene: ArmScene, point: Point3, side: Sid
 /** The stage as it is on the screen, once it stands still. */
 export async function shot(lab: Lab): Promise<Picture> {
   await lab.page.mouse.move(0, 0)
-  // Buttons that were pressed are painted a shade otherwise. The page's policy lets in no style of a test's own, but such a sheet.
+  // Buttons that were pressed are painted a shade otherwise, and so is a rim of words over the stage once they were hidden. The page's policy lets in no style of a test's own, but such a sheet.
   await lab.page.evaluate(() => {
     const sheet = new CSSStyleSheet()
-    sheet.replaceSync('.tools, .views { visibility: hidden }')
+    sheet.replaceSync('.tools, .views, .verified { visibility: hidden }')
     document.adoptedStyleSheets = [sheet]
   })
   await expect(lab.stage).toHaveAttribute('data-drawn')
