@@ -78,11 +78,11 @@ async function seen(page: Page, spoken: Spoken, view: View): Promise<void> {
     await page.waitForTimeout(found.length > 0 ? 0 : 300)
     return found.length > 0 ? found : (await read(page)).filter((text) => asWritten[spoken.tag]?.(text))
   }
-  await softly.poll(others, { message: `${view.name}: in another language`, timeout: 3000 }).toEqual([])
+  await softly.poll(others, { message: `${view.name}: in another language`, timeout: 15_000 }).toEqual([])
   for (const width of WIDTHS) {
     await page.setViewportSize({ width, height: 900 })
     // What is laid out by its size settles first.
-    await softly.poll(() => cut(page), { message: `${view.name}: cut off at ${width} px`, timeout: 3000 }).toEqual([])
+    await softly.poll(() => cut(page), { message: `${view.name}: cut off at ${width} px`, timeout: 15_000 }).toEqual([])
   }
 }
 
