@@ -18,7 +18,7 @@ use forage_study::{
         suite::{self, Suite},
         trees, tsplib,
     },
-    rows,
+    disk, rows,
     runner::{self, Control, Job},
     sweep::Part,
 };
@@ -76,7 +76,7 @@ fn run_suite<S: Suite>(suite: &S, args: &SuiteArgs) -> Outcome {
     let attempts = suite.jobs(registry(), &contenders)?;
     let folder = args.out.clone().unwrap_or_else(|| PathBuf::from(S::NAME));
     files::check_folder("--out", &folder)?;
-    fs::create_dir_all(&folder).map_err(|error| Failure::write(&folder, error))?;
+    disk::make_folder(&folder).map_err(|error| Failure::write(&folder, error))?;
     suite.notes().iter().for_each(note);
     let rows = run_part::<S>(&attempts, part, &folder, args)?;
     if part.of > 1 {
@@ -119,7 +119,7 @@ fn run_part<S: Suite>(attempts: &[S::Task], part: Part, folder: &Path, args: &Su
     if part.of == 1 {
         let parts = parts(folder)?;
         if args.fresh {
-            parts.iter().try_for_each(|part| fs::remove_file(part).map_err(|error| Failure::write(part, error)))?;
+            parts.iter().try_for_each(|part| disk::remove(part).map_err(|error| Failure::write(part, error)))?;
         } else {
             parts.iter().try_for_each(|part| repair::<S>(part))?;
             suite::merge_parts(&file, &parts, attempts, &interrupt::flag())?;

@@ -13,6 +13,7 @@ use forage::{
     message,
 };
 use forage_study::{
+    failure::Failure as StudyFailure,
     runner::Control,
     sweep::{self, Curves, Kept, Part, Sweep, SweepStatistics, pictures, read},
 };
@@ -48,8 +49,9 @@ pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
     let outcome = if args.merge.is_empty() {
         run_missing(&sweep, &mut kept, curves.as_mut(), args)
     } else {
-        sweep::merge(&sweep, &mut kept, curves.as_ref(), &args.merge, &interrupt::flag()).map_err(Failure::from)
+        with_progress(&sweep, |control| sweep::merge(&sweep, &mut kept, curves.as_ref(), &args.merge, args.verify, control))
     };
+    notes(curves.as_ref().map_or(&[], Curves::notes));
     notes(kept.notes());
     outcome?;
     print_result(args, &kept)?;
@@ -79,10 +81,16 @@ fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
 
 /// Carries out the runs whose rows are missing.
 fn run_missing(sweep: &Sweep, kept: &mut Kept, curves: Option<&mut Curves>, args: &ExperimentArgs) -> Result<(), Failure> {
+    let threads = args.jobs.map(usize::from);
+    with_progress(sweep, |control| sweep::carry_out(sweep, kept, curves, threads, args.verify, control))
+}
+
+/// Lets Ctrl-C stop something, and shows how far it is.
+fn with_progress(sweep: &Sweep, work: impl FnOnce(&Control) -> Result<(), StudyFailure>) -> Result<(), Failure> {
     let stop = interrupt::flag();
     let bar = progress::bar(&sweep.name);
     let show = |done, total| progress::show(&bar, done, total);
-    let outcome = sweep::carry_out(sweep, kept, curves, args.jobs.map(usize::from), &Control { stop: &stop, progress: &show });
+    let outcome = work(&Control { stop: &stop, progress: &show });
     bar.finish_and_clear();
     Ok(outcome?)
 }
@@ -135,7 +143,7 @@ fn read_file(path: &Path) -> Result<(read::Experiment, Vec<PathBuf>), Failure> {
 }
 
 /// As with `forage run --scene`, but relative to the folder of the experiment's file.
-fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage_study::failure::Failure> {
+fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), StudyFailure> {
     let file = folder.join(text);
     let found = if Link::is_link(text) || !file.exists() && names::scenes().contains(&text) {
         load::scene_and_files(text)
@@ -145,7 +153,7 @@ fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage
         Err(load::no_scene(text))
     };
     found.map_err(|failure| match failure {
-        Failure::File(path, error) => forage_study::failure::Failure::File(PathBuf::from(path), error),
+        Failure::File(path, error) => StudyFailure::File(PathBuf::from(path), error),
         Failure::Refused(problem) | Failure::Interrupted(problem) => Error::malformed("scene", problem).into(),
     })
 }

@@ -11,7 +11,10 @@ use forage::{
     kernel::{Message, limits},
     message,
 };
-use forage_study::files::{is_same, place};
+use forage_study::{
+    disk,
+    files::{is_same, place},
+};
 
 use super::{
     failure::{Failure, cannot_be_written, is_folder, no_folder},
@@ -156,7 +159,7 @@ pub(super) fn check_target(path: &Path) -> Result<(), Failure> {
     }
     // A link is not replaced: the file that it leads to is made, and goes again.
     File::options().write(true).create_new(true).open(&place).map_err(failed)?;
-    fs::remove_file(&place).map_err(failed)
+    disk::remove(&place).map_err(failed)
 }
 
 pub(super) fn quoted_path(path: &Path) -> String {
@@ -210,7 +213,7 @@ pub(super) fn check_folder(field: &str, folder: &Path) -> Result<(), Failure> {
 pub(super) fn make_folder_of(field: &str, path: &Path) -> Result<(), Failure> {
     let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) else { return Ok(()) };
     check_folder(field, folder)?;
-    fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))
+    disk::make_folder(folder).map_err(|error| Failure::write(folder, error))
 }
 
 /// Refuses to write the file of an option over another one.
@@ -223,7 +226,7 @@ pub(super) fn check_apart(field: &str, path: &Path, others: &[(Role, &Path)]) ->
 
 /// Writes a whole file.
 pub(super) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
-    fs::write(path, bytes).map_err(|error| Failure::write(path, error))
+    disk::write(path, bytes).map_err(|error| Failure::write(path, error))
 }
 
 fn check_kind(name: &str, metadata: &Metadata) -> Result<(), Failure> {

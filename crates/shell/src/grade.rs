@@ -19,6 +19,7 @@ use forage::{
     message,
     run::{Judgement, Task},
 };
+use forage_study::spreadsheet;
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -75,7 +76,7 @@ pub(super) fn grade(args: &GradeArgs) -> failure::Outcome {
     }
     let rows = graded(&given, &task, &all, args.jobs)?;
     let good = rows.iter().filter(|row| row.reached && row.verified).count();
-    print_raw(csv_of(&rows)?.trim_ascii_end())?;
+    print_raw(spreadsheet::safe_table(&csv_of(&rows)?).map_err(Failure::output)?.trim_ascii_end())?;
     let all = rows.len();
     note(message!("shell-graded", "{good} of {all} reached the goal, with a hash that came out again", good, all));
     Ok(ExitCode::from(u8::from(good < rows.len())))

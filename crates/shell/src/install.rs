@@ -1,9 +1,11 @@
 //! `forage completions`, `forage man` and `forage licenses`: what belongs to an installed program.
 
-use std::{fs, path::Path, process::ExitCode};
+use std::{path::Path, process::ExitCode};
 
 use clap::{Command, CommandFactory, builder::Resettable};
 use forage::message;
+
+use forage_study::disk;
 
 use super::{
     args::Cli,
@@ -36,7 +38,7 @@ pub(super) fn man(folder: Option<&Path>) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     };
     files::check_folder("--out", folder)?;
-    fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))?;
+    disk::make_folder(folder).map_err(|error| Failure::write(folder, error))?;
     let mut commands = vec![command];
     let mut next = 0;
     while let Some(command) = commands.get(next) {

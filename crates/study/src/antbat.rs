@@ -1,7 +1,5 @@
 //! Three colonies on the 30 × 30 grid: [ANTBAT](forage#papers) §3.1, its table of ways.
 
-use std::fs;
-
 use forage::{
     Overrides, Setup,
     kernel::{Error, ReferenceOptimum},
@@ -12,6 +10,7 @@ use forage::{
 use super::{
     chart::{self, Curve},
     colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SETTLED, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
+    disk,
     failure::{Failure, at},
     figure::{Figure, Steps},
     fingerprints::JobList,
@@ -117,7 +116,7 @@ fn draw(report: &mut Report, scene: &Scene, setup: &Setup, found: &[Vec<Run>], o
         table.rows.push([Cell::whole(k as u64 + 1)].into_iter().chain(means.iter().map(|mean| Cell::maybe(mean[k], 4))).collect());
     }
     let path = options.out.join("antbat-paths-convergence.csv");
-    table.csv().and_then(|text| fs::write(&path, text)).map_err(at(&path))?;
+    table.csv().and_then(|text| disk::write(&path, text)).map_err(at(&path))?;
     report.files.push(path);
     let points = |mean: &Vec<Option<f64>>| (1..).zip(mean).filter_map(|(k, mean)| Some([f64::from(k), (*mean)?])).collect();
     let curves: Vec<_> = PLANNERS.into_iter().zip(&means).map(|(name, mean)| Curve { name, points: points(mean) }).collect();

@@ -2,7 +2,6 @@
 
 use std::{
     collections::BTreeMap,
-    fs,
     path::PathBuf,
     sync::{Arc, atomic::AtomicBool},
 };
@@ -21,6 +20,7 @@ use forage::{
 
 use super::{
     chart::{self, Curve},
+    disk,
     escape::path_text,
     failure::{Failure, at},
     fit::{self, Fit},
@@ -350,7 +350,7 @@ fn draw(report: &mut Report, points: &[Point], options: &Options) -> Result<(), 
 /// Writes a scene where a command finds it.
 fn keep(scene: &Scene, options: &Options) -> Result<PathBuf, Failure> {
     let path = options.out.join(format!("{}.json", scene.name()));
-    fs::write(&path, scene.to_json()).map_err(at(&path))?;
+    disk::write(&path, scene.to_json()).map_err(at(&path))?;
     Ok(path)
 }
 

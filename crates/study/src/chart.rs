@@ -1,6 +1,6 @@
 //! Pictures: fits beside published ones, log-log, what many runs converge to, and times over the number of stops.
 
-use std::{error::Error, io, path::Path};
+use std::{error::Error, path::Path};
 
 use plotters::{element::DashedPathElement, prelude::*};
 
@@ -9,6 +9,7 @@ use forage::math;
 use super::{
     failure::Failure,
     fit::Fit,
+    plot::drawn,
     quantities::{Case, QUANTITIES, Range},
 };
 
@@ -21,11 +22,11 @@ const COLOURS: [RGBColor; 2] = [RGBColor(0, 98, 155), RGBColor(200, 80, 0)];
 /// # Errors
 /// A file that cannot be written.
 pub(super) fn draw(path: &Path, case: &Case, ranges: &[Range], fits: &[Option<Fit>; 4]) -> Result<(), Failure> {
-    picture(path, case, ranges, fits).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+    drawn(path, |out| picture(out, case, ranges, fits))
 }
 
-fn picture(path: &Path, case: &Case, ranges: &[Range], fits: &[Option<Fit>; 4]) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, SIZE).into_drawing_area();
+fn picture(out: &mut String, case: &Case, ranges: &[Range], fits: &[Option<Fit>; 4]) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::with_string(out, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let largest = ranges.iter().flat_map(|range| [range.n[1], range.m[1]]).max().unwrap_or(0).max(250) as f64;
     for (k, area) in root.split_evenly((1, 2)).into_iter().enumerate() {
@@ -76,11 +77,11 @@ pub(super) struct Curve<'a> {
 /// # Errors
 /// A file that cannot be written.
 pub(super) fn convergence(path: &Path, title: &str, curves: &[Curve], least: (&str, f64)) -> Result<(), Failure> {
-    lines(path, title, curves, least).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+    drawn(path, |out| lines(out, title, curves, least))
 }
 
-fn lines(path: &Path, title: &str, curves: &[Curve], (name, least): (&str, f64)) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, (SIZE.0 * 7 / 10, SIZE.1)).into_drawing_area();
+fn lines(out: &mut String, title: &str, curves: &[Curve], (name, least): (&str, f64)) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::with_string(out, (SIZE.0 * 7 / 10, SIZE.1)).into_drawing_area();
     root.fill(&WHITE)?;
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let last = points().map(|point| point[0]).fold(2.0, f64::max);
@@ -117,7 +118,7 @@ fn lines(path: &Path, title: &str, curves: &[Curve], (name, least): (&str, f64))
 /// # Errors
 /// A file that cannot be written.
 pub(super) fn times(path: &Path, pictures: &[(&str, &[Curve])]) -> Result<(), Failure> {
-    over_stops(path, pictures).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+    drawn(path, |out| over_stops(out, pictures))
 }
 
 /// The curves' colours, told apart by lightness too.
@@ -133,8 +134,8 @@ pub(super) const MANY: [RGBColor; 7] = [
 /// A curve's piece and gap: whole, long, short, by turns.
 pub(super) const DASHES: [(u32, u32); 3] = [(1, 0), (12, 5), (3, 3)];
 
-fn over_stops(path: &Path, pictures: &[(&str, &[Curve])]) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, SIZE).into_drawing_area();
+fn over_stops(out: &mut String, pictures: &[(&str, &[Curve])]) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::with_string(out, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     for (&(title, curves), area) in pictures.iter().zip(root.split_evenly((1, pictures.len()))) {
         let range = |axis: usize| {

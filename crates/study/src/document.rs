@@ -10,7 +10,7 @@ use std::{
 use forage::message;
 
 use super::{
-    claims,
+    claims, disk,
     escape::path_text,
     failure::{Failure, at},
     fingerprints::{self, Fingerprints},
@@ -213,7 +213,7 @@ fn texts(reports: &[Report], rows: &Fingerprints) -> Result<[String; 4], Failure
 pub fn write(reports: &[Report], rows: &Fingerprints, options: &Options) -> Result<[PathBuf; 4], Failure> {
     let paths = FILES.map(|name| options.out.join(name));
     for (path, text) in paths.iter().zip(texts(reports, rows)?) {
-        fs::write(path, text).map_err(at(path))?;
+        disk::write(path, text).map_err(at(path))?;
     }
     Ok(paths)
 }

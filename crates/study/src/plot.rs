@@ -1,6 +1,6 @@
 //! Plots that compare planners: curves over linear or logarithmic axes, ratios with intervals, mean ranks.
 
-use std::{error::Error, fs, io, ops::Range, path::Path};
+use std::{error::Error, io, ops::Range, path::Path};
 
 use plotters::{
     coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter},
@@ -11,7 +11,8 @@ use plotters::{
 
 use super::{
     chart::{DASHES, MANY},
-    failure::Failure,
+    disk,
+    failure::{Failure, at},
 };
 
 const SIZE: (u32, u32) = (900, 560);
@@ -75,10 +76,16 @@ impl Curve {
 
 /// Removes a picture of an earlier time that is not drawn again.
 pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
-    match fs::remove_file(path) {
+    match disk::remove(path) {
         Err(problem) if problem.kind() != io::ErrorKind::NotFound => Err(Failure::File(path.to_owned(), problem)),
         _ => Ok(()),
     }
+}
+
+/// Draws a picture as SVG, and writes it.
+pub(crate) fn drawn(path: &Path, draw: impl FnOnce(&mut String) -> Result<(), Box<dyn Error>>) -> Result<(), Failure> {
+    let mut svg = String::new();
+    draw(&mut svg).map_err(|problem| io::Error::other(problem.to_string())).and_then(|()| disk::write(path, svg)).map_err(at(path))
 }
 
 /// Draws curves, with a legend at the given position.
@@ -87,13 +94,12 @@ pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
 /// A file that cannot be written.
 pub(crate) fn draw(path: &Path, x: &Axis, y: &Axis, curves: &[Curve], legend: SeriesLabelPosition) -> Result<(), Failure> {
     let ([a, b], [c, d]) = ([x, y].map(|axis| axis.range.clone()), [x, y].map(|axis| axis.range.clone()));
-    let done = match (x.log, y.log) {
-        (false, false) => picture(path, [x.title, y.title], a, b, curves, legend),
-        (true, false) => picture(path, [x.title, y.title], a.log_scale(), b, curves, legend),
-        (false, true) => picture(path, [x.title, y.title], c, d.log_scale(), curves, legend),
-        (true, true) => picture(path, [x.title, y.title], c.log_scale(), d.log_scale(), curves, legend),
-    };
-    done.map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+    drawn(path, |out| match (x.log, y.log) {
+        (false, false) => picture(out, [x.title, y.title], a, b, curves, legend),
+        (true, false) => picture(out, [x.title, y.title], a.log_scale(), b, curves, legend),
+        (false, true) => picture(out, [x.title, y.title], c, d.log_scale(), curves, legend),
+        (true, true) => picture(out, [x.title, y.title], c.log_scale(), d.log_scale(), curves, legend),
+    })
 }
 
 /// A value with its interval, on a line of its own.
@@ -110,8 +116,7 @@ pub(crate) struct Bar {
 pub(crate) fn draw_ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Failure> {
     let ends = bars.iter().flat_map(|bar| bar.interval.unwrap_or([bar.value; 2])).filter(|end| *end > 0.0);
     let (low, high) = ends.fold((0.5_f64, 2.0_f64), |(low, high), end| (low.min(end), high.max(end)));
-    let done = intervals(path, title, bars, (low / 1.2..high * 1.2).log_scale(), 1.0);
-    done.map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+    drawn(path, |out| intervals(out, title, bars, (low / 1.2..high * 1.2).log_scale(), 1.0))
 }
 
 /// Draws values from 0 on with their intervals, one below the other.
@@ -120,16 +125,15 @@ pub(crate) fn draw_ratios(path: &Path, title: &str, bars: &[Bar]) -> Result<(), 
 /// A file that cannot be written.
 pub(crate) fn draw_values(path: &Path, title: &str, bars: &[Bar]) -> Result<(), Failure> {
     let most = bars.iter().map(|bar| bar.interval.map_or(bar.value, |[_, high]| high)).fold(1e-9, f64::max);
-    let done = intervals(path, title, bars, 0.0..most * 1.05, 0.0);
-    done.map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+    drawn(path, |out| intervals(out, title, bars, 0.0..most * 1.05, 0.0))
 }
 
-fn intervals<X>(path: &Path, title: &str, bars: &[Bar], x: X, line: f64) -> Result<(), Box<dyn Error>>
+fn intervals<X>(out: &mut String, title: &str, bars: &[Bar], x: X, line: f64) -> Result<(), Box<dyn Error>>
 where
     X: AsRangedCoord<Value = f64, CoordDescType: ValueFormatter<f64>>,
     <X as AsRangedCoord>::CoordDescType: Ranged<ValueType = f64>,
 {
-    let root = SVGBackend::new(path, (SIZE.0, 70 + 30 * bars.len() as u32)).into_drawing_area();
+    let root = SVGBackend::with_string(out, (SIZE.0, 70 + 30 * bars.len() as u32)).into_drawing_area();
     root.fill(&WHITE)?;
     let longest = bars.iter().map(|bar| bar.name.chars().count()).max().unwrap_or(0) as u32;
     let mut chart = ChartBuilder::on(&root)
@@ -176,10 +180,10 @@ pub(crate) struct Ranked {
 /// # Errors
 /// A file that cannot be written.
 pub(crate) fn draw_ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -> Result<(), Failure> {
-    ranks(path, ranked, difference, bars).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+    drawn(path, |out| ranks(out, ranked, difference, bars))
 }
 
-fn ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -> Result<(), Box<dyn Error>> {
+fn ranks(out: &mut String, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -> Result<(), Box<dyn Error>> {
     const LINE: i32 = 22;
     let rows = ranked.len().div_ceil(2) as i32;
     let axis = 70;
@@ -188,7 +192,7 @@ fn ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -
     let longest = ranked.iter().map(|one| one.name.chars().count()).max().unwrap_or(0) as i32;
     let side = (8 * longest + 90).max(190);
     let size = ((SIZE.0 as i32 + 2 * (side - 190)) as u32, (below + LINE * rows + 24) as u32);
-    let root = SVGBackend::new(path, size).into_drawing_area();
+    let root = SVGBackend::with_string(out, size).into_drawing_area();
     root.fill(&WHITE)?;
     let wide = f64::from(size.0 as i32 - 2 * side);
     let last = ranked.len().max(2) as f64;
@@ -226,7 +230,7 @@ fn ranks(path: &Path, ranked: &[Ranked], difference: f64, bars: &[Vec<usize>]) -
 }
 
 fn picture<X, Y>(
-    path: &Path,
+    out: &mut String,
     [across, up]: [&str; 2],
     x: X,
     y: Y,
@@ -239,7 +243,7 @@ where
     <X as AsRangedCoord>::CoordDescType: Ranged<ValueType = f64>,
     <Y as AsRangedCoord>::CoordDescType: Ranged<ValueType = f64>,
 {
-    let root = SVGBackend::new(path, SIZE).into_drawing_area();
+    let root = SVGBackend::with_string(out, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let mut chart =
         ChartBuilder::on(&root).margin(14).margin_right(34).x_label_area_size(42).y_label_area_size(64).build_cartesian_2d(x, y)?;

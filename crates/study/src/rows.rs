@@ -4,11 +4,12 @@
 //! start. Nobody else can write meanwhile: the file is locked.
 
 use std::{
-    fs::{self, File, OpenOptions},
-    io::{Read, Write},
+    fs::File,
+    io::{self, Read, Write},
     path::{Path, PathBuf},
 };
 
+use csv::StringRecord;
 use serde::{Serialize, de::DeserializeOwned};
 
 use forage::{
@@ -17,8 +18,11 @@ use forage::{
 };
 
 use super::{
+    digest,
+    disk::{self, Out},
     failure::{Failure, at},
-    files::{damaged, locked, with_suffix},
+    files::{damaged, locked},
+    spreadsheet,
 };
 
 /// The largest file of rows: it is read as a whole.
@@ -39,7 +43,7 @@ pub trait KeyedRow: Clone + PartialEq + Serialize + DeserializeOwned + Send + Sy
 #[derive(Debug)]
 pub struct Rows<R> {
     path: PathBuf,
-    file: File,
+    file: Out,
     /// Whether the line with the columns' names is there.
     headed: bool,
     /// The rows that were there when it was opened.
@@ -53,15 +57,15 @@ impl<R: KeyedRow> Rows<R> {
     /// A file that cannot be read or written, that another program is writing, or whose rows are not of this kind.
     pub fn open(path: &Path, fresh: bool) -> Result<Self, Failure> {
         if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).map_err(at(folder))?;
+            disk::make_folder(folder).map_err(at(folder))?;
         }
-        let mut file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(at(path))?;
+        let mut file = Out::append(path).map_err(at(path))?;
         // Where files cannot be locked at all, nothing is lost but the warning.
-        locked(file.try_lock(), path)?;
+        locked(file.file().try_lock(), path)?;
         if fresh {
             file.set_len(0).map_err(at(path))?;
         }
-        let size = file.metadata().map_err(at(path))?.len();
+        let size = file.file().metadata().map_err(at(path))?.len();
         if size > LARGEST {
             let [found, most] = [size, LARGEST].map(|bytes| bytes as f64 / f64::from(1 << 30));
             let problem = message!(
@@ -73,16 +77,13 @@ impl<R: KeyedRow> Rows<R> {
             return Err(Error::malformed(&path.display().to_string(), problem).into());
         }
         let mut bytes = Vec::new();
-        Read::by_ref(&mut file).take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
+        file.file().take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
         let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1);
         if whole < bytes.len() {
             file.set_len(whole as u64).map_err(at(path))?;
         }
-        let kept = csv::Reader::from_reader(&bytes[..whole]).deserialize().collect::<Result<Vec<R>, _>>().map_err(|problem| {
-            Error::malformed(
-                &path.display().to_string(),
-                message!("study-fresh", "{problem}; --fresh starts over", problem = problem.to_string()),
-            )
+        let kept = read(&bytes[..whole]).collect::<Result<Vec<R>, _>>().map_err(|problem| {
+            Error::malformed(&path.display().to_string(), message!("study-fresh", "{problem}; --fresh starts over", problem))
         })?;
         Ok(Self { path: path.to_owned(), file, headed: whole > 0, kept })
     }
@@ -119,10 +120,7 @@ impl<R: KeyedRow> Rows<R> {
     where
         R: 'a,
     {
-        let beside = self.path.with_extension("csv.new");
-        let text = lines(rows, true).map_err(at(&self.path))?;
-        fs::write(&beside, text).map_err(at(&beside))?;
-        fs::rename(&beside, &self.path).map_err(at(&self.path))
+        lines(rows, true).and_then(|text| disk::write(&self.path, text)).map_err(at(&self.path))
     }
 }
 
@@ -144,17 +142,16 @@ pub fn repair<R: KeyedRow>(path: &Path) -> Result<Option<Message>, Failure> {
     let mut rows: Vec<R> = Vec::new();
     // A torn last line is dropped when the file is opened.
     let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1);
-    for row in csv::Reader::from_reader(&bytes[..whole]).deserialize() {
+    for row in read(&bytes[..whole]) {
         lines_read += 1;
         rows.extend(row.ok());
     }
     if rows.is_empty() || rows.len() == lines_read {
         return Ok(None);
     }
-    let (bad, new) = (damaged(path), with_suffix(path, ".new"));
-    fs::write(&bad, &bytes).map_err(at(&bad))?;
-    fs::write(&new, lines(&rows, true).map_err(at(&new))?).map_err(at(&new))?;
-    fs::rename(&new, path).map_err(at(path))?;
+    let bad = damaged(path);
+    disk::write(&bad, &bytes).map_err(at(&bad))?;
+    lines(&rows, true).and_then(|text| disk::write(path, text)).map_err(at(path))?;
     let [path, bad] = [path, &bad].map(|path| path.display().to_string());
     let lines = lines_read - rows.len();
     Ok(Some(message!(
@@ -166,18 +163,57 @@ pub fn repair<R: KeyedRow>(path: &Path) -> Result<Option<Message>, Failure> {
     )))
 }
 
-/// A row as a line of the file.
+/// What a row says, as a line: that of the file without its digest.
 ///
 /// # Errors
 /// None that is known: it is written to memory.
-pub fn line<R: KeyedRow>(row: &R) -> Result<Vec<u8>, std::io::Error> {
-    lines([row], false)
+pub fn line<R: KeyedRow>(row: &R) -> Result<Vec<u8>, io::Error> {
+    serialized([row], false)
 }
 
-fn lines<'a, R: KeyedRow + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, std::io::Error> {
+/// Rows as CSV, with their columns' names above them if they are `headed`.
+fn serialized<'a, R: KeyedRow + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, io::Error> {
     let mut writer = csv::WriterBuilder::new().has_headers(headed).from_writer(Vec::new());
     for row in rows {
-        writer.serialize(row).map_err(std::io::Error::other)?;
+        writer.serialize(row)?;
     }
-    writer.into_inner().map_err(|error| std::io::Error::other(error.to_string()))
+    writer.into_inner().map_err(|error| io::Error::other(error.to_string()))
+}
+
+/// The column of the rows' digests, the last one.
+const DIGEST: &str = "digest";
+
+fn lines<'a, R: KeyedRow + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, io::Error> {
+    let plain = serialized(rows, headed)?;
+    let mut writer = csv::Writer::from_writer(Vec::with_capacity(2 * plain.len()));
+    for (k, cells) in csv::ReaderBuilder::new().has_headers(false).from_reader(&*plain).records().enumerate() {
+        let mut cells: StringRecord = cells?.iter().map(spreadsheet::safe).collect();
+        let last = if headed && k == 0 { DIGEST.to_owned() } else { digest::of_cells(&cells) };
+        cells.push_field(&last);
+        writer.write_record(&cells)?;
+    }
+    writer.into_inner().map_err(|error| io::Error::other(error.to_string()))
+}
+
+/// The rows of a file, whose first line has their names; or what is wrong with them.
+fn read<R: KeyedRow>(text: &[u8]) -> impl Iterator<Item = Result<R, Message>> {
+    let mut reader = csv::Reader::from_reader(text);
+    let columns = reader.headers().map(|columns| columns.iter().map(str::to_owned).collect::<Vec<_>>());
+    // The digests' own column is none of a row's.
+    let names = columns.map_err(|problem| problem.to_string()).map(|mut columns| {
+        let last = columns.pop();
+        (last.as_deref() == Some(DIGEST)).then(|| columns.into_iter().collect::<StringRecord>())
+    });
+    reader.into_records().zip(2_u64..).map(move |(record, number)| {
+        let said = |problem: Message| message!("study-in-line", "line {count}: {problem}", count = number, problem);
+        let unreadable = |problem: csv::Error| Message::verbatim(problem.to_string());
+        let names = names.as_ref().map_err(|problem| Message::verbatim(problem.as_str()))?.as_ref().ok_or_else(digest::missing)?;
+        let record = record.map_err(unreadable)?;
+        let cells: Vec<&str> = record.iter().take(names.len()).collect();
+        if record.iter().nth(names.len()) != Some(&*digest::of_cells(cells.iter().copied())) {
+            return Err(said(digest::differs()));
+        }
+        let plain: StringRecord = cells.into_iter().map(spreadsheet::plain).collect();
+        plain.deserialize(Some(names)).map_err(unreadable)
+    })
 }

@@ -3,6 +3,8 @@
 use forage::kernel::{Message, message::in_english};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
+use super::spreadsheet;
+
 /// What stands in a table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
@@ -209,7 +211,7 @@ impl Table {
                 Cell::Number(number, _) | Cell::Significant(number, _) => digits(*number),
                 other => other.shown(),
             });
-            writer.write_record(all_digits).map_err(std::io::Error::other)?;
+            writer.write_record(all_digits.map(|cell| spreadsheet::safe(&cell).into_owned())).map_err(std::io::Error::other)?;
         }
         writer.into_inner().map_err(|error| std::io::Error::other(error.to_string()))
     }

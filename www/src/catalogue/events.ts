@@ -1,4 +1,5 @@
 import type { Catalogue, EventKind, Outcome, RunEvent } from 'forage-lab'
+import { cell } from '../text/cells'
 
 export type Tone = EventKind['tone']
 
@@ -82,8 +83,6 @@ export function nextWithin(group: readonly RunEvent[], iteration: number): numbe
 /** Obstacles are counted from 1 wherever somebody reads it. */
 export const obstacleNumber = ({ obstacle }: RunEvent): number | null => (obstacle === undefined ? null : obstacle + 1)
 
-const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text)
-
 /** A row for each event. */
 export function csv(events: readonly RunEvent[]): string {
   const rows = events.map((event) => [
@@ -92,7 +91,7 @@ export function csv(events: readonly RunEvent[]): string {
     ...event.place,
     event.kind,
     obstacleNumber(event) ?? '',
-    quoted(event.reason),
+    cell(event.reason),
   ])
   return `${[['iteration', 'time', 'x', 'y', 'kind', 'obstacle', 'reason'], ...rows].map((row) => row.join(',')).join('\n')}\n`
 }

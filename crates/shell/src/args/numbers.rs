@@ -19,6 +19,12 @@ pub(super) fn runs(text: &str) -> Result<u64, String> {
     whole_number(text, 2, 1_000_000)
 }
 
+pub(super) fn share(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| (0.0..=1.0).contains(number));
+    let allowed = || message!("error-number-from-to", "a number from {low} to {high}", low = 0.0, high = 1.0);
+    number.ok_or_else(|| must_be(&allowed()))
+}
+
 pub(super) fn seconds(text: &str) -> Result<u64, String> {
     whole_number(text, 1, 86_400)
 }

@@ -3,7 +3,6 @@
 mod summary;
 
 use std::{
-    fs::File,
     io::{self, Write},
     path::{Path, PathBuf},
     process::ExitCode,
@@ -20,6 +19,7 @@ use forage::{
     message, picture,
     run::{csv_heading, csv_line, csv_row},
 };
+use forage_study::disk::Out;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
@@ -211,8 +211,8 @@ fn progress(end: u64) -> ProgressBar {
     bar
 }
 
-fn create(path: &Path) -> Result<io::BufWriter<File>, Failure> {
-    File::create(path).map(io::BufWriter::new).map_err(|error| Failure::write(path, error))
+fn create(path: &Path) -> Result<io::BufWriter<Out>, Failure> {
+    Out::create(path).map(io::BufWriter::new).map_err(|error| Failure::write(path, error))
 }
 
 fn write_row(rows: &mut impl Write, run: &mut Run) -> io::Result<()> {

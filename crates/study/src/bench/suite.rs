@@ -14,6 +14,7 @@ use forage::{Error, Overrides, Registry, kernel::Message, message};
 use forage_formats::NamedFile;
 
 use super::super::{
+    disk,
     failure::{Failure, at},
     rows::{KeyedRow, Rows},
     runner::Job,
@@ -172,14 +173,14 @@ const MARKER: &str = "written-by-forage.txt";
 /// Makes a folder without what was written there before: tools would read both together.
 pub(super) fn recreate_folder(folder: &Path) -> Result<(), Failure> {
     if folder.join(MARKER).exists() {
-        fs::remove_dir_all(folder).map_err(at(folder))?;
+        disk::remove_folder(folder).map_err(at(folder))?;
     } else if folder.exists() {
         let problem = message!("study-not-by-bench", "it was not written by forage bench; choose another --out");
         return Err(Error::malformed(&folder.display().to_string(), problem).into());
     }
-    fs::create_dir_all(folder).map_err(at(folder))?;
+    disk::make_folder(folder).map_err(at(folder))?;
     let mark = folder.join(MARKER);
-    fs::write(&mark, "forage bench writes this folder, and removes it before it writes it again.\n").map_err(at(&mark))
+    disk::write(&mark, "forage bench writes this folder, and removes it before it writes it again.\n").map_err(at(&mark))
 }
 
 /// The files with an ending in a folder and the folders in it, by name.

@@ -1,6 +1,6 @@
 //! A report for a terminal, and as files.
 
-use std::{fmt::Write, fs};
+use std::fmt::Write;
 
 use forage::{
     kernel::{Message, message::in_english},
@@ -9,7 +9,7 @@ use forage::{
 
 use super::{
     super::{
-        claims,
+        claims, disk,
         escape::path_text,
         failure::{Failure, at},
         findings,
@@ -27,14 +27,14 @@ impl Report {
     /// A file that cannot be written.
     pub fn write(&mut self, options: &Options) -> Result<(), Failure> {
         findings::attach(&mut self.figures, papers::tag(self.source))?;
-        fs::create_dir_all(&options.out).map_err(at(&options.out))?;
+        disk::make_folder(&options.out).map_err(at(&options.out))?;
         for table in &self.tables {
             let path = options.out.join(format!("{}-{}.csv", self.name, table.name));
-            table.csv().and_then(|text| fs::write(&path, text)).map_err(at(&path))?;
+            table.csv().and_then(|text| disk::write(&path, text)).map_err(at(&path))?;
             self.files.push(path);
         }
         let path = options.out.join(format!("{}.md", self.name));
-        fs::write(&path, self.markdown()).map_err(at(&path))?;
+        disk::write(&path, self.markdown()).map_err(at(&path))?;
         self.files.push(path);
         Ok(())
     }

@@ -2,8 +2,7 @@
 
 use std::{
     collections::BTreeMap,
-    fs::{self, File},
-    io,
+    fs, io,
     path::{Path, PathBuf},
     sync::Arc,
 };
@@ -20,8 +19,10 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     super::{
+        disk::Replacement,
         failure::{Failure, at},
-        rows::{KeyedRow, Rows},
+        rows::{KeyedRow, Rows, repair},
+        spreadsheet,
     },
     kept::Kept,
     plan::{Part, Sweep},
@@ -76,6 +77,7 @@ pub struct Curves {
     fresh: bool,
     rows: Rows<KeptCurve>,
     known: BTreeMap<String, KeptCurve>,
+    notes: Vec<String>,
 }
 
 impl Curves {
@@ -93,18 +95,31 @@ impl Curves {
                 return Err(Error::refused("--curves", path.display().to_string(), allowed).into());
             }
         };
-        let mut rows = Rows::<KeptCurve>::open(&kept_at(path, part), false)?;
+        let mut notes = Vec::new();
+        // Lines that were changed are those of runs that are carried out again.
+        let mut open = |path: &Path| {
+            if !fresh {
+                notes.extend(repair::<KeptCurve>(path)?.as_ref().map(ToString::to_string));
+            }
+            Rows::<KeptCurve>::open(path, false)
+        };
+        let mut rows = open(&kept_at(path, part))?;
         let mut known: BTreeMap<String, KeptCurve> = BTreeMap::new();
         if part == Part::WHOLE && !fresh {
             for part in parts(path)? {
-                known.extend(Rows::<KeptCurve>::open(&part, false)?.take().into_iter().map(|curve| (curve.key(), curve)));
+                known.extend(open(&part)?.take().into_iter().map(|curve| (curve.key(), curve)));
             }
         }
         let own = rows.take();
         if !fresh {
             known.extend(own.into_iter().map(|curve| (curve.key(), curve)));
         }
-        Ok(Self { path: path.to_owned(), format, part, fresh, rows, known })
+        Ok(Self { path: path.to_owned(), format, part, fresh, rows, known, notes })
+    }
+
+    /// What should be known about the files.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Throws away what was kept, if that is wanted: nothing was refused.
@@ -144,20 +159,17 @@ impl Curves {
         if self.part != Part::WHOLE {
             return Ok(());
         }
-        // A link is followed, and the file that it leads to is replaced.
-        let path = fs::canonicalize(&self.path).unwrap_or_else(|_| self.path.clone());
-        let mut file = path.file_name().unwrap_or_default().to_owned();
-        file.push(".new");
-        let new = path.with_file_name(file);
+        let path = &self.path;
+        let mut new = Replacement::of(path).map_err(at(path))?;
         let runs = kept.jobs().filter_map(|job| Some((job, self.known.get(&name(kept.sweep(), job))?)));
         match self.format {
-            Format::Csv => write_csv(&new, kept.sweep(), runs)?,
+            Format::Csv => write_csv(&mut new, kept.sweep(), runs).map_err(at(path))?,
             Format::Parquet => {
-                let written = write_parquet(&new, kept.sweep(), runs);
-                written.map_err(|problem| at(&new)(io::Error::other(problem.to_string())))?;
+                let written = write_parquet(&mut new, kept.sweep(), runs);
+                written.map_err(|problem| at(path)(io::Error::other(problem.to_string())))?;
             }
         }
-        fs::rename(&new, &path).map_err(at(&path))
+        new.commit().map(drop).map_err(at(path))
     }
 }
 
@@ -208,18 +220,18 @@ fn lead(sweep: &Sweep, job: usize) -> Vec<String> {
     [setup.scene.name().to_owned(), setup.planner.clone(), setup.seed.to_string()].into_iter().chain(parameters).collect()
 }
 
-fn write_csv<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a KeptCurve)>) -> Result<(), Failure> {
-    let mut writer = csv::Writer::from_path(new).map_err(|problem| at(new)(io::Error::other(problem.to_string())))?;
-    let failed = |problem: csv::Error| at(new)(io::Error::other(problem.to_string()));
+fn write_csv<'a>(new: &mut Replacement, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a KeptCurve)>) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(new);
+    let failed = io::Error::from;
     writer.write_record(columns(sweep)).map_err(failed)?;
     for (job, curve) in runs {
         let lead = lead(sweep, job);
         for (iteration, evaluations, value) in curve.points() {
             let point = [iteration.to_string(), evaluations.to_string(), number_text(value)];
-            writer.write_record(lead.iter().chain(&point)).map_err(failed)?;
+            writer.write_record(lead.iter().chain(&point).map(|text| spreadsheet::safe(text).into_owned())).map_err(failed)?;
         }
     }
-    writer.flush().map_err(at(new))
+    writer.flush()
 }
 
 /// What a column of the table holds; a parameter may be missing.
@@ -265,11 +277,11 @@ impl Column {
         }
     }
 
-    fn write(&self, group: &mut SerializedRowGroupWriter<'_, File>) -> Result<(), ParquetError> {
+    fn write<W: io::Write + Send>(&self, group: &mut SerializedRowGroupWriter<'_, W>) -> Result<(), ParquetError> {
         match self {
-            Self::Text(texts) => write_column::<ByteArrayType>(group, texts),
-            Self::Number(numbers) => write_column::<DoubleType>(group, numbers),
-            Self::Whole(numbers) => write_column::<Int64Type>(group, &numbers.iter().copied().map(Some).collect::<Vec<_>>()),
+            Self::Text(texts) => write_column::<ByteArrayType, W>(group, texts),
+            Self::Number(numbers) => write_column::<DoubleType, W>(group, numbers),
+            Self::Whole(numbers) => write_column::<Int64Type, W>(group, &numbers.iter().copied().map(Some).collect::<Vec<_>>()),
         }
     }
 }
@@ -278,7 +290,10 @@ fn number(value: &Value) -> Option<f64> {
     if let Value::Number(number) = value { Some(*number) } else { None }
 }
 
-fn write_column<T: DataType>(group: &mut SerializedRowGroupWriter<'_, File>, values: &[Option<T::T>]) -> Result<(), ParquetError> {
+fn write_column<T: DataType, W: io::Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    values: &[Option<T::T>],
+) -> Result<(), ParquetError> {
     let Some(mut column) = group.next_column()? else { return Ok(()) };
     let levels: Vec<i16> = values.iter().map(|value| i16::from(value.is_some())).collect();
     let there: Vec<T::T> = values.iter().flatten().cloned().collect();
@@ -286,7 +301,7 @@ fn write_column<T: DataType>(group: &mut SerializedRowGroupWriter<'_, File>, val
     column.close()
 }
 
-fn write_parquet<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a KeptCurve)>) -> Result<(), ParquetError> {
+fn write_parquet<'a>(new: &mut Replacement, sweep: &Sweep, runs: impl Iterator<Item = (usize, &'a KeptCurve)>) -> Result<(), ParquetError> {
     let whole = || Column::Whole(Vec::new());
     let texts = || Column::Text(Vec::new());
     let parameters = sweep.parameters.iter().map(|name| Column::of_parameter(sweep, name));
@@ -300,7 +315,7 @@ fn write_parquet<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usiz
     }
     let schema = Arc::new(Type::group_type_builder("curves").with_fields(fields).build()?);
     let properties = Arc::new(WriterProperties::builder().set_created_by("forage".to_owned()).build());
-    let mut writer = SerializedFileWriter::new(File::create(new)?, schema, properties)?;
+    let mut writer = SerializedFileWriter::new(new, schema, properties)?;
     let mut count = 0;
     for (job, curve) in runs {
         let setup = sweep.setup(job);
@@ -328,7 +343,7 @@ fn write_parquet<'a>(new: &Path, sweep: &Sweep, runs: impl Iterator<Item = (usiz
     Ok(())
 }
 
-fn flush(writer: &mut SerializedFileWriter<File>, table: &mut [Column]) -> Result<(), ParquetError> {
+fn flush<W: io::Write + Send>(writer: &mut SerializedFileWriter<W>, table: &mut [Column]) -> Result<(), ParquetError> {
     let mut group = writer.next_row_group()?;
     table.iter().try_for_each(|column| column.write(&mut group))?;
     group.close()?;

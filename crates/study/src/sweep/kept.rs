@@ -1,32 +1,39 @@
 //! The file of a sweep's rows: where each one stands, and what the statistics need of it; the rows themselves stay on the disk.
 //!
 //! Rows are appended as runs finish, each in one write, so that whatever kills the program leaves whole lines and at most a
-//! torn one at the end, which is dropped at the next start. When all are there the file is put in the order of the runs, in a
-//! new one beside it that takes its place at once. Nobody else can write meanwhile: the file is locked.
+//! torn one at the end, which is dropped at the next start. Damaged lines are taken out then, and their runs are carried out again.
+//! When all are there the file is put in the order of the runs, in a new one beside it that takes its place at once. Nobody else can write meanwhile: the file is locked.
+
+#[cfg(test)]
+mod changed;
+#[cfg(test)]
+mod faulty;
+mod handle;
+mod scan;
 
 use std::{
-    fs::{self, File, OpenOptions},
-    io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write},
+    fs::File,
+    io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write},
+    mem::size_of,
     path::{Path, PathBuf},
 };
 
 use forage::{
-    kernel::{Error, Message},
+    kernel::{Error, Message, ReferenceOptimum},
     message,
     run::trial::Record,
 };
 
+use self::handle::Handle;
 use super::{
     super::{
+        disk::{self, Out, Replacement},
         failure::{Failure, at},
-        files::{damaged, is_same, locked, with_suffix},
+        files::{damaged, is_same, locked},
     },
-    line::{Format, RunStatistics, Wrong},
+    line::{Format, RunStatistics},
     plan::{Part, Sweep},
 };
-
-/// How many digits a hash has.
-const HASH: usize = 16;
 
 /// Where a row stands.
 #[derive(Debug, Clone, Copy)]
@@ -46,6 +53,9 @@ const BLOCK: usize = 1 << 16;
 /// The longest line in bytes, far more than a row has: so much of a file without line breaks is in memory.
 const LONGEST_LINE: u64 = 1 << 20;
 
+/// So many bytes of memory each run takes: where its row stands, and what the statistics need of it.
+pub const BYTES_PER_RUN: usize = size_of::<Where>() + size_of::<Told>();
+
 /// The rows of a sweep, or of a part of it.
 #[derive(Debug)]
 pub struct Kept<'a> {
@@ -55,32 +65,15 @@ pub struct Kept<'a> {
     /// Where the rows go; first the file itself, then those whose rows are merged into it.
     files: Vec<PathBuf>,
     /// The first of them. The others are opened when they are read: there may be more than can be open at once.
-    file: File,
+    file: Handle,
     /// Where what is ours ends in the file.
     end: u64,
     rows: Vec<Where>,
-    told: Vec<RunStatistics>,
+    told: Vec<Told>,
     count: usize,
     /// Whether lines of the file were left out.
     damaged: bool,
     notes: Vec<String>,
-}
-
-fn told(note: &Message) -> String {
-    note.to_string()
-}
-
-/// What is wrong with a file that has the rows of something else, and what helps; `fresh`: whether it may be thrown away.
-fn elsewhere(problem: &Message, fresh: bool) -> Message {
-    if fresh {
-        message!(
-            "study-another-experiment-fresh",
-            "{problem}: it belongs to another experiment; --out writes elsewhere, --fresh starts over",
-            problem
-        )
-    } else {
-        message!("study-another-experiment", "{problem}: it belongs to another experiment; --out writes elsewhere", problem)
-    }
 }
 
 impl<'a> Kept<'a> {
@@ -100,17 +93,17 @@ impl<'a> Kept<'a> {
             .into());
         }
         if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).map_err(at(folder))?;
+            disk::make_folder(folder).map_err(at(folder))?;
         }
-        let file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(at(path))?;
-        let notes = locked(file.try_lock(), path)?.iter().map(ToString::to_string).collect();
+        let file = Handle::open(path)?;
+        let notes = locked(file.file().try_lock(), path)?.iter().map(ToString::to_string).collect();
         let all = part.len(sweep.len());
-        let (rows, told) = (vec![NOWHERE; all], vec![RunStatistics::default(); all]);
+        let (rows, told) = (vec![NOWHERE; all], vec![Told::default(); all]);
         let files = vec![path.to_owned()];
         let mut kept = Self { sweep, part, format, files, file, end: 0, rows, told, count: 0, damaged: false, notes };
         if !fresh {
             kept.end = kept.look_through(0)?;
-        } else if !kept.begins_like_rows(&kept.file)? {
+        } else if !kept.begins_like_rows(kept.file.file())? {
             let allowed = message!("study-file-of-rows", "a file of rows: it does not begin like one, and stays as it is");
             return Err(Error::refused("--fresh", path.display().to_string(), allowed).into());
         }
@@ -124,24 +117,31 @@ impl<'a> Kept<'a> {
         Ok(self.format.begins(&line))
     }
 
-    /// Makes the file ready for rows: what is not ours in it goes.
+    /// Makes the file ready for rows: what is not ours in it goes. Nothing is written where nothing is to be done.
     ///
     /// # Errors
     /// A disk that is full, and the like.
     pub fn begin(&mut self) -> Result<(), Failure> {
-        let path = &self.files[0];
+        let path = self.files[0].clone();
         if self.damaged {
-            let bad = damaged(path);
-            let mut copy = File::create_new(&bad).map_err(at(&bad))?;
-            File::open(path).and_then(|mut file| io::copy(&mut file, &mut copy)).map_err(at(&bad))?;
+            let bad = damaged(&path);
+            let mut copy = Out::create_new(&bad).map_err(at(&bad))?;
+            File::open(&path).and_then(|mut file| io::copy(&mut file, &mut copy)).and_then(|_| copy.sync()).map_err(at(&bad))?;
             let (file, bad) = (path.display().to_string(), bad.display().to_string());
-            self.notes.push(told(&message!("study-kept-as", "{file}: as it was it is kept as {bad}", file, bad)));
+            self.notes.push(message!("study-kept-as", "{file}: as it was it is kept as {bad}", file, bad).to_string());
+            self.rewrite(0)?;
+            self.damaged = false;
         }
-        self.file.set_len(self.end).map_err(at(path))?;
         if self.end == 0 {
-            let heading = self.format.heading(self.sweep).map_err(at(path))?;
-            self.file.write_all(&heading).map_err(at(path))?;
+            let heading = self.format.heading(self.sweep).map_err(at(&path))?;
+            let out = self.file.out().map_err(at(&path))?;
+            // Without its heading nobody would know a file by what a loss of power leaves.
+            out.set_len(0).and_then(|()| out.write_all(&heading)).and_then(|()| out.sync()).map_err(at(&path))?;
             self.end = heading.len() as u64;
+        } else if self.file.file().metadata().map_err(at(&path))?.len() > self.end {
+            // A torn line.
+            let end = self.end;
+            self.file.out().and_then(|out| out.set_len(end)).map_err(at(&path))?;
         }
         Ok(())
     }
@@ -157,15 +157,37 @@ impl<'a> Kept<'a> {
 
     /// Removes a file with nothing in it.
     pub(super) fn leave(&self) {
-        if self.file.metadata().is_ok_and(|file| file.len() == 0) {
+        if self.file.file().metadata().is_ok_and(|file| file.len() == 0) {
             // It says nothing, and so it does no harm if it stays.
-            let _ = fs::remove_file(self.path());
+            let _ = disk::remove(self.path());
         }
     }
 
     /// What should be known about the files.
     pub fn notes(&self) -> &[String] {
         &self.notes
+    }
+
+    /// Says which run is missing among those that are kept.
+    pub(super) fn say_missing(&mut self) {
+        let (done, total) = self.counts();
+        let first = self.missing().next().filter(|_| done > 0);
+        if let Some(first) = first {
+            let (file, run) = (self.path().display().to_string(), self.sweep.describe(first));
+            self.note(&message!(
+                "study-some-missing",
+                "{file}: {done} of {total} rows were there; the first that was missing is that of {run}",
+                file,
+                done,
+                total,
+                run
+            ));
+        }
+    }
+
+    /// Says something of the files.
+    pub(super) fn note(&mut self, note: &Message) {
+        self.notes.push(note.to_string());
     }
 
     /// Takes the rows of another file, too.
@@ -182,106 +204,6 @@ impl<'a> Kept<'a> {
         self.look_through(self.files.len() - 1).map(|_| ())
     }
 
-    /// Finds the rows of a file, and says where its last whole line ends.
-    fn look_through(&mut self, number: usize) -> Result<u64, Failure> {
-        let path = self.files[number].clone();
-        let file = if number == 0 { self.file.try_clone() } else { File::open(&path) }.map_err(at(&path))?;
-        if number > 0 {
-            // Where there are no locks, that is told of the file itself.
-            locked(file.try_lock_shared(), &path)?;
-        }
-        let other =
-            |problem: Message, fresh: bool| Failure::from(Error::malformed(&path.display().to_string(), elsewhere(&problem, fresh)));
-        let mut reader = BufReader::with_capacity(1 << 16, file);
-        reader.rewind().map_err(at(&path))?;
-        let heading = self.format.heading(self.sweep).map_err(at(&path))?;
-        let beginning = self.format.beginning(self.sweep).map_err(at(&path))?;
-        let (mut line, mut end, mut count) = (Vec::new(), 0_u64, 0);
-        // The first one and how many there are: there may be more than fit in memory.
-        let (mut damaged, mut first_damaged) = (0_u64, None);
-        loop {
-            line.clear();
-            let length = reader.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut line).map_err(at(&path))?;
-            count += 1;
-            // What was torn in the middle is ours if it begins like ours.
-            let torn = !line.ends_with(b"\n");
-            let ours = end > 0 || line.starts_with(&beginning) || torn && beginning.starts_with(&line);
-            if !ours {
-                let problem = if torn || heading.is_empty() {
-                    message!("study-no-file-of-rows", "it does not begin like a file of rows")
-                } else {
-                    let line = String::from_utf8_lossy(&heading).trim_end().to_owned();
-                    message!("study-first-line", "its first line is not {line}", line)
-                };
-                return Err(other(problem, self.format.begins(&line)));
-            }
-            if length as u64 > LONGEST_LINE {
-                let most = LONGEST_LINE >> 10;
-                let problem =
-                    message!("study-long-line", "line {count} has more than {most} KiB, so it is no row; --fresh starts over", count, most);
-                return Err(Error::malformed(&path.display().to_string(), problem).into());
-            }
-            if torn {
-                break;
-            }
-            if end > 0 || heading.is_empty() {
-                match self.format.read(self.sweep, &line) {
-                    Ok((job, told)) => {
-                        let not_here = || {
-                            let (run, part) = (self.sweep.describe(job), self.part.to_string());
-                            message!("study-not-in-part", "line {count}: the run of {run} is not in part {part}", count, run, part)
-                        };
-                        let slot = self.part.find(job).ok_or_else(|| other(not_here(), true))?;
-                        if self.rows[slot].length == 0 {
-                            self.hold(slot, Where { offset: end, length: length as u32, file: number as u32 }, told);
-                        } else {
-                            let before = self.bytes(self.rows[slot])?;
-                            // Reading the row moved the place in the file, which the reader shares.
-                            reader.seek(SeekFrom::Start(end + length as u64)).map_err(at(&path))?;
-                            if before != line {
-                                let run = self.sweep.describe(job);
-                                let problem =
-                                    message!("study-run-differs", "line {count}: the run of {run} came out otherwise before", count, run);
-                                return Err(Error::malformed(&path.display().to_string(), problem).into());
-                            }
-                        }
-                    }
-                    Err(Wrong::Damaged(problem)) => {
-                        damaged += 1;
-                        first_damaged.get_or_insert((count, problem));
-                    }
-                    Err(Wrong::Other(problem)) => {
-                        return Err(other(message!("study-in-line", "line {count}: {problem}", count, problem), true));
-                    }
-                }
-            }
-            end += length as u64;
-        }
-        if let Some((first, problem)) = first_damaged {
-            let (file, more) = (path.display().to_string(), damaged - 1);
-            self.notes.push(told(&if more > 0 {
-                message!(
-                    "study-lines-damaged",
-                    "{file}: line {first} is damaged ({problem}), and {more} more; missing runs are repeated",
-                    file,
-                    first,
-                    problem,
-                    more
-                )
-            } else {
-                message!(
-                    "study-line-damaged",
-                    "{file}: line {first} is damaged ({problem}); missing runs are repeated",
-                    file,
-                    first,
-                    problem
-                )
-            }));
-            self.damaged |= number == 0;
-        }
-        Ok(end)
-    }
-
     /// Looks through the file again, in which somebody else wrote.
     fn look_again(&mut self) -> Result<(), Failure> {
         for row in self.rows.iter_mut().filter(|row| row.file == 0) {
@@ -293,11 +215,8 @@ impl<'a> Kept<'a> {
             return Err(self.disturbed());
         }
         let file = self.path().display().to_string();
-        self.notes.push(told(&message!(
-            "study-looked-again",
-            "{file}: another program wrote in it; what it wrote was looked through, too",
-            file
-        )));
+        let note = message!("study-looked-again", "{file}: another program wrote in it; what it wrote was looked through, too", file);
+        self.notes.push(note.to_string());
         Ok(())
     }
 
@@ -309,14 +228,14 @@ impl<'a> Kept<'a> {
 
     fn hold(&mut self, slot: usize, here: Where, told: RunStatistics) {
         self.rows[slot] = here;
-        self.told[slot] = told;
+        self.told[slot] = told.into();
         self.count += 1;
     }
 
     fn bytes(&self, row: Where) -> Result<Vec<u8>, Failure> {
         let mut bytes = vec![0; row.length as usize];
         if row.file == 0 {
-            read_at(&self.file, row.offset, &mut bytes).map_err(at(self.path()))?;
+            read_at(self.file.file(), row.offset, &mut bytes).map_err(at(self.path()))?;
         } else {
             let path = &self.files[row.file as usize];
             File::open(path).and_then(|file| read_at(&file, row.offset, &mut bytes)).map_err(at(path))?;
@@ -324,12 +243,10 @@ impl<'a> Kept<'a> {
         Ok(bytes)
     }
 
-    /// The hash in a run's row: what is last in it.
+    /// The hash in a run's row.
     pub(super) fn hash(&self, job: usize) -> Result<String, Failure> {
         let Some(row) = self.part.find(job).map(|slot| self.rows[slot]).filter(|row| row.length > 0) else { return Ok(String::new()) };
-        let line = String::from_utf8_lossy(&self.bytes(row)?).into_owned();
-        let end = line.trim_end().trim_end_matches(['"', '}']);
-        Ok(end.get(end.len().saturating_sub(HASH)..).unwrap_or_default().to_owned())
+        Ok(self.format.hash_of(&self.bytes(row)?).unwrap_or_default())
     }
 
     /// Where the rows go.
@@ -369,7 +286,7 @@ impl<'a> Kept<'a> {
     /// What came of a run, if its row is there.
     pub(super) fn statistics_of(&self, job: usize) -> Option<RunStatistics> {
         let slot = self.part.find(job)?;
-        (self.rows[slot].length > 0).then(|| self.told[slot])
+        (self.rows[slot].length > 0).then(|| self.told[slot].into())
     }
 
     /// That not all was carried out.
@@ -406,7 +323,8 @@ impl<'a> Kept<'a> {
         let Some(slot) = self.part.find(job) else { return Ok(()) };
         let path = &self.files[0];
         let line = self.format.line(self.sweep, job, record).map_err(at(path))?;
-        self.file.write_all(&line).and_then(|()| self.file.flush()).map_err(at(path))?;
+        let out = self.file.out().map_err(at(path))?;
+        out.write_all(&line).and_then(|()| out.flush()).map_err(at(path))?;
         self.hold(slot, Where { offset: self.end, length: line.len() as u32, file: 0 }, record.into());
         self.end += line.len() as u64;
         Ok(())
@@ -426,46 +344,74 @@ impl<'a> Kept<'a> {
         Err(Error::refused("--merge", found, allowed))
     }
 
-    /// Puts the file in the order of the runs, in one go: until then the old one stays.
+    /// Puts the file in the order of the runs, in one go: until then the old one stays. All of it is on the disk then.
     ///
     /// # Errors
     /// A disk that is full, and the like; a file in which somebody else writes.
     pub fn settle(&mut self) -> Result<(), Failure> {
-        if self.file.metadata().map_err(at(self.path()))?.len() != self.end {
+        if self.file.file().metadata().map_err(at(self.path()))?.len() != self.end {
             self.look_again()?;
         }
-        let mut next = self.format.heading(self.sweep).map_err(at(self.path()))?.len() as u64;
+        let first = self.format.heading(self.sweep).map_err(at(self.path()))?.len() as u64;
+        if !self.is_in_order(first) {
+            self.rewrite(self.rows.len())
+        } else if let Handle::Writable(out) = &mut self.file {
+            out.sync().map_err(at(&self.files[0]))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Whether all rows stand in the file in their order, and nothing else does.
+    fn is_in_order(&self, first: u64) -> bool {
+        let mut next = first;
         let in_order = self.rows.iter().all(|row| {
             let here = row.file == 0 && row.offset == next;
             next += u64::from(row.length);
             here
         });
-        if in_order && next == self.end {
-            return Ok(());
-        }
-        // Behind a link is the file that is replaced.
-        let target = fs::canonicalize(self.path()).map_err(at(self.path()))?;
-        let new = with_suffix(&target, ".new");
-        self.write_ordered(&new)?;
-        fs::rename(&new, &target).map_err(at(&target))
+        in_order && next == self.end
     }
 
-    fn write_ordered(&self, new: &Path) -> Result<(), Failure> {
-        let wrong = |error: io::Error| Failure::File(new.to_owned(), error);
-        let mut out = BufWriter::with_capacity(1 << 16, File::create(new).map_err(wrong)?);
-        out.write_all(&self.format.heading(self.sweep).map_err(wrong)?).map_err(wrong)?;
-        for (block, rows) in self.rows.chunks(BLOCK).enumerate() {
-            for (k, line) in self.block(rows)?.iter().enumerate() {
+    /// Replaces the file by its rows in their order, at least so many.
+    fn rewrite(&mut self, least: usize) -> Result<(), Failure> {
+        let path = self.files[0].clone();
+        self.file.out().map_err(at(&path))?;
+        let mut new = Replacement::of(&path).map_err(at(&path))?;
+        // Whoever waits for the file finds it locked again.
+        locked(new.file().try_lock(), new.beside())?;
+        let (rows, end) = self.write_ordered(&mut new, least)?;
+        self.file = Handle::Writable(new.commit().map_err(at(&path))?);
+        (self.rows, self.end) = (rows, end);
+        self.files.truncate(1);
+        Ok(())
+    }
+
+    /// Writes the rows in their order; returns where they stand, and where the last one ends.
+    fn write_ordered(&self, out: &mut Replacement, least: usize) -> Result<(Vec<Where>, u64), Failure> {
+        let new = out.beside().to_owned();
+        let heading = self.format.heading(self.sweep).map_err(at(&new))?;
+        out.write_all(&heading).map_err(at(&new))?;
+        let mut end = heading.len() as u64;
+        let mut places = vec![NOWHERE; self.rows.len()];
+        let there: Vec<usize> = (0..self.rows.len()).filter(|&slot| self.rows[slot].length > 0).collect();
+        if there.len() < least {
+            return Err(self.disturbed());
+        }
+        for slots in there.chunks(BLOCK) {
+            let rows: Vec<Where> = slots.iter().map(|&slot| self.rows[slot]).collect();
+            for (&slot, line) in slots.iter().zip(&self.block(&rows)?) {
                 // Nothing takes the place of the file that is not the row it should be.
                 let told = self.format.read(self.sweep, line).ok().filter(|_| line.ends_with(b"\n"));
-                if told.is_none_or(|(job, _)| job != self.part.job(block * BLOCK + k)) {
+                if told.is_none_or(|(job, _)| job != self.part.job(slot)) {
                     return Err(self.disturbed());
                 }
-                out.write_all(line).map_err(wrong)?;
+                out.write_all(line).map_err(at(&new))?;
+                places[slot] = Where { offset: end, length: line.len() as u32, file: 0 };
+                end += line.len() as u64;
             }
         }
-        let file = out.into_inner().map_err(|error| wrong(error.into_error()))?;
-        file.sync_all().map_err(wrong)
+        Ok((places, end))
     }
 
     /// The bytes of some rows, read one file after the other.
@@ -477,13 +423,43 @@ impl<'a> Kept<'a> {
             let number = rows[of_file[0]].file as usize;
             let path = &self.files[number];
             let part = if number == 0 { None } else { Some(File::open(path).map_err(at(path))?) };
-            let file = part.as_ref().unwrap_or(&self.file);
+            let file = part.as_ref().unwrap_or(self.file.file());
             for &k in of_file {
                 lines[k] = vec![0; rows[k].length as usize];
                 read_at(file, rows[k].offset, &mut lines[k]).map_err(at(path))?;
             }
         }
         Ok(lines)
+    }
+}
+
+/// What the statistics need of a run, in as little memory as they can.
+#[derive(Debug, Clone, Copy, Default)]
+struct Told {
+    /// NaN: there is none.
+    value: f64,
+    /// NaN: it was not.
+    reached: f64,
+    evaluations: f64,
+    measured: bool,
+    zero: bool,
+    by: ReferenceOptimum,
+    deterministic: bool,
+}
+
+impl From<RunStatistics> for Told {
+    fn from(told: RunStatistics) -> Self {
+        let RunStatistics { value, reached, evaluations, measured, zero, by, deterministic } = told;
+        let [value, reached] = [value, reached].map(|number| number.unwrap_or(f64::NAN));
+        Self { value, reached, evaluations, measured, zero, by, deterministic }
+    }
+}
+
+impl From<Told> for RunStatistics {
+    fn from(told: Told) -> Self {
+        let Told { value, reached, evaluations, measured, zero, by, deterministic } = told;
+        let [value, reached] = [value, reached].map(|number| Some(number).filter(|number| !number.is_nan()));
+        Self { value, reached, evaluations, measured, zero, by, deterministic }
     }
 }
 

@@ -11,6 +11,10 @@ use forage::{
 };
 
 use super::{
+    super::{
+        digest::{self, DIGITS},
+        spreadsheet,
+    },
     plan::Sweep,
     text::{number_text, value_text},
 };
@@ -40,6 +44,11 @@ const RESULTS: [&str; 20] = [
     "deterministic",
     "hash",
 ];
+
+/// What is last in a row: see [`digest`].
+const DIGEST: &str = "digest";
+/// What is in front of it, without the text itself, in a line of JSON.
+const JSON_DIGEST: &[u8] = b",\"digest\":\"";
 
 /// How rows are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,11 +95,38 @@ impl Format {
     /// Whether a first line is, as far as it goes, that of some sweep's rows.
     pub(super) fn begins(self, line: &[u8]) -> bool {
         let (beginning, last): (&[u8], &[u8]) = match self {
-            Self::Csv => (b"scene,planner,seed,", b",hash\n"),
+            Self::Csv if line.ends_with(b",hash\n") => (b"scene,planner,seed,", b""),
+            Self::Csv => (b"scene,planner,seed,", b",hash,digest\n"),
             Self::JsonLines => (b"{\"scene\":\"", b"\"}\n"),
         };
         let known = beginning.len().min(line.len());
         beginning[..known] == line[..known] && (!line.ends_with(b"\n") || line.ends_with(last))
+    }
+
+    /// Whether a first line is that of rows from before they had digests.
+    pub(super) fn is_old(self, sweep: &Sweep, line: &[u8]) -> io::Result<bool> {
+        Ok(match self {
+            Self::Csv => {
+                let columns = columns(sweep);
+                line == csv_line(&columns[..columns.len() - 1])?
+            }
+            Self::JsonLines => serde_json::from_slice::<Map<String, Value>>(line)
+                .is_ok_and(|fields| fields.contains_key("hash") && !fields.contains_key(DIGEST)),
+        })
+    }
+
+    /// What is wrong with a first line that is not that of rows.
+    pub(super) fn wrong_beginning(self, sweep: &Sweep, line: &[u8]) -> io::Result<Message> {
+        if self.is_old(sweep, line)? {
+            return Ok(digest::missing());
+        }
+        let heading = self.heading(sweep)?;
+        Ok(if heading.is_empty() || !line.ends_with(b"\n") {
+            message!("study-no-file-of-rows", "it does not begin like a file of rows")
+        } else {
+            let line = String::from_utf8_lossy(&heading).trim_end().to_owned();
+            message!("study-first-line", "its first line is not {line}", line)
+        })
     }
 
     /// A run's row.
@@ -109,20 +145,54 @@ impl Format {
             _ => item(&known[name]),
         });
         let items: Vec<Item> = lead.chain(parameters).chain(results).collect();
-        match self {
-            Self::Csv => csv_line(&items.iter().map(Item::text).collect::<Vec<_>>()),
+        let mut row = match self {
+            Self::Csv => {
+                let mut line = csv_line(&items.iter().map(|item| spreadsheet::safe(item.text()).into_owned()).collect::<Vec<_>>())?;
+                line.pop();
+                line
+            }
             Self::JsonLines => {
                 let fields: Vec<String> = columns(sweep)
                     .iter()
                     .zip(&items)
                     .map(|(name, item)| format!("{}:{}", Value::from(name.as_str()), item.json()))
                     .collect();
-                Ok(format!("{{{}}}\n", fields.join(",")).into_bytes())
+                format!("{{{}", fields.join(",")).into_bytes()
             }
+        };
+        let digest = digest::of(sweep.origin(job), &row);
+        let [front, behind] = self.around_digest();
+        row.extend([front, digest.as_bytes(), behind].concat());
+        Ok(row)
+    }
+
+    /// What stands before and behind a row's digest.
+    fn around_digest(self) -> [&'static [u8]; 2] {
+        match self {
+            Self::Csv => [b",", b"\n"],
+            Self::JsonLines => [JSON_DIGEST, b"\"}\n"],
         }
     }
 
-    /// The texts of a row, in the order of the columns.
+    /// What is in front of a line's digest, and the digest.
+    fn parts(self, line: &[u8]) -> Option<(&[u8], &[u8])> {
+        let [front, behind] = self.around_digest();
+        let (rest, digest) = line.strip_suffix(behind)?.split_last_chunk::<DIGITS>()?;
+        Some((rest.strip_suffix(front)?, digest))
+    }
+
+    /// The run's hash, which is in front of the digest.
+    pub(super) fn hash_of(self, line: &[u8]) -> Option<String> {
+        let (row, _) = self.parts(line)?;
+        let row = match self {
+            Self::Csv => row,
+            Self::JsonLines => row.strip_suffix(b"\"")?,
+        };
+        let (_, hash) = row.split_last_chunk::<DIGITS>()?;
+        str::from_utf8(hash).ok().map(str::to_owned)
+    }
+
+    /// The texts of a row without its digest, in the order of the columns.
     ///
     /// # Errors
     /// What is wrong with it.
@@ -130,19 +200,20 @@ impl Format {
         let count = LEAD.len() + sweep.parameters.len() + RESULTS.len();
         let texts: Vec<String> = match self {
             // Where nothing is quoted commas are all there is: a reader of its own for each line would take most of the time.
-            _ if line.trim_ascii().is_empty() => return Err(Wrong::Damaged(empty())),
             Self::Csv if !line.contains(&b'"') => {
                 let text = str::from_utf8(line).map_err(|problem| unreadable(&problem))?;
-                text.trim_end_matches('\n').split(',').map(str::to_owned).collect()
+                text.split(',').map(|text| spreadsheet::plain(text).to_owned()).collect()
             }
             Self::Csv => {
                 let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
                 let record = reader.records().next().ok_or_else(|| damaged(empty()))?.map_err(|problem| unreadable(&problem))?;
-                record.iter().map(str::to_owned).collect()
+                record.iter().map(|text| spreadsheet::plain(text).to_owned()).collect()
             }
             Self::JsonLines => {
-                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(|problem| unreadable(&problem))?;
-                let columns = columns(sweep);
+                let whole = [line, b"}"].concat();
+                let mut fields: Map<String, Value> = serde_json::from_slice(&whole).map_err(|problem| unreadable(&problem))?;
+                let mut columns = columns(sweep);
+                columns.pop();
                 let texts = columns.iter().map(|name| fields.remove(name).map(|value| item(&value).text().to_owned()));
                 let texts = texts.collect::<Option<Vec<_>>>().ok_or_else(|| {
                     Wrong::Other(message!("study-other-fields", "its fields are not {names}", names = columns.join(", ")))
@@ -165,8 +236,18 @@ impl Format {
     /// # Errors
     /// What is wrong with it.
     pub(super) fn read(self, sweep: &Sweep, line: &[u8]) -> Result<(usize, RunStatistics), Wrong> {
-        let texts = self.texts(sweep, line)?;
+        if line.trim_ascii().is_empty() {
+            return Err(damaged(empty()));
+        }
+        let (row, digest) = self.parts(line).ok_or_else(|| damaged(message!("study-digest-missing", "it does not end with a digest")))?;
+        let texts = self.texts(sweep, row)?;
         let (lead, rest) = texts.split_at(LEAD.len());
+        let origin = sweep
+            .origin_of(&lead[0])
+            .ok_or_else(|| damaged(message!("study-no-such-scene", "the experiment has no scene {scene}", scene = lead[0])))?;
+        if digest::of(origin, row).as_bytes() != digest {
+            return Err(damaged(digest::differs()));
+        }
         let (parameters, results) = rest.split_at(sweep.parameters.len());
         let parameters: Vec<&str> = parameters.iter().map(String::as_str).collect();
         let job = sweep.find(&lead[0], &lead[1], &lead[2], &parameters).ok_or_else(|| {
@@ -290,13 +371,14 @@ impl From<&Record> for RunStatistics {
 
 /// Whether a column that is no parameter has this name.
 pub(super) fn is_taken(name: &str) -> bool {
-    LEAD.contains(&name) || RESULTS.contains(&name)
+    LEAD.contains(&name) || RESULTS.contains(&name) || name == DIGEST
 }
 
 /// The columns' names. A parameter that is called as something else is, is written as in links: `p.iterations`.
 pub(super) fn columns(sweep: &Sweep) -> Vec<String> {
     let parameters = sweep.parameters.iter().map(|name| if is_taken(name) { format!("p.{name}") } else { name.clone() });
-    LEAD.map(str::to_owned).into_iter().chain(parameters).chain(RESULTS.map(str::to_owned)).collect()
+    let results = RESULTS.into_iter().chain([DIGEST]).map(str::to_owned);
+    LEAD.map(str::to_owned).into_iter().chain(parameters).chain(results).collect()
 }
 
 /// What stands at one place of a row.

@@ -1,7 +1,7 @@
 //! Sweeps: planners × scenes × parameter values × seeds, one row a run. `forage experiment`.
 //!
 //! [`read`] makes a [`Sweep`] of its file and checks all of it. The runs are numbers: [`plan`] finds a run's setup, and
-//! the number of a row. [`line`](mod@line) writes a row and reads it; [`kept`] is the file, in which it is known where each row stands and
+//! the number of a row. [`line`](mod@line) writes a row with its `digest` and reads it; [`kept`] is the file, in which it is known where each row stands and
 //! little else. [`summary`] says what the rows have in common.
 //!
 //! Nothing takes time that grows faster than n log n with the number of runs (the heaviest begin first), and of each run
@@ -26,7 +26,10 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use forage::{
     Setup,
-    kernel::{Error, Stepped},
+    kernel::{
+        Error, Stepped,
+        rng::{Stream, fresh_seed},
+    },
     message,
     run::{
         Improvement,
@@ -87,7 +90,8 @@ impl Sweep {
     }
 }
 
-/// Carries out the runs that are not kept yet, and puts the file in order; with `curves` also those whose curve is not there.
+/// Carries out the runs that are not kept yet, and puts the file in order; with `curves` also those whose curve is not there. Before
+/// that the share `verify` of the runs that are kept is carried out again.
 ///
 /// # Errors
 /// [`Failure::Interrupted`] when it was stopped; a planner that refuses to start, before anything is run or written; a file that
@@ -97,6 +101,7 @@ pub fn carry_out(
     kept: &mut Kept,
     mut curves: Option<&mut Curves>,
     threads: Option<usize>,
+    verify: Option<f64>,
     control: &Control,
 ) -> Result<(), Failure> {
     let mut left = kept.missing().collect::<Vec<_>>();
@@ -107,6 +112,8 @@ pub fn carry_out(
     let pool = runner::pool(threads)?;
     pool.install(|| check_start(sweep, &left, control.stop)).inspect_err(|_| kept.leave())?;
     check_rows(sweep, kept, &pool, control.stop)?;
+    verify.map_or(Ok(()), |share| verify_share(sweep, kept, share, &pool, control))?;
+    kept.say_missing();
     kept.begin()?;
     if let Some(curves) = &mut curves {
         curves.begin()?;
@@ -130,13 +137,21 @@ pub fn carry_out(
     curves.map_or(Ok(()), |curves| curves.settle(kept))
 }
 
-/// Makes one file of parts and what is there already.
+/// Makes one file of parts and what is there already; before that the share `verify` of the runs is carried out again.
 ///
 /// # Errors
 /// Parts that are not complete or belong to something else, before anything is written; and as [`carry_out`].
-pub fn merge(sweep: &Sweep, kept: &mut Kept, curves: Option<&Curves>, parts: &[PathBuf], stop: &AtomicBool) -> Result<(), Failure> {
+pub fn merge(
+    sweep: &Sweep,
+    kept: &mut Kept,
+    curves: Option<&Curves>,
+    parts: &[PathBuf],
+    verify: Option<f64>,
+    control: &Control,
+) -> Result<(), Failure> {
     let pool = runner::pool(None)?;
-    let checked = kept.gather(parts).and_then(|()| check_rows(sweep, kept, &pool, stop));
+    let checked = kept.gather(parts).and_then(|()| check_rows(sweep, kept, &pool, control.stop));
+    let checked = checked.and_then(|()| verify.map_or(Ok(()), |share| verify_share(sweep, kept, share, &pool, control)));
     checked.and_then(|()| check_curves(kept, curves)).inspect_err(|_| kept.leave())?;
     kept.begin()?;
     kept.settle()?;
@@ -196,5 +211,29 @@ fn check_rows(sweep: &Sweep, kept: &Kept, pool: &rayon::ThreadPool, stop: &Atomi
         };
         kept.compare(job, &record)?;
     }
+    Ok(())
+}
+
+/// Carries out a share of the runs that are kept again, one at least, drawn anew each time: each must give the row that is there.
+fn verify_share(sweep: &Sweep, kept: &mut Kept, share: f64, pool: &rayon::ThreadPool, control: &Control) -> Result<(), Failure> {
+    let mut jobs: Vec<usize> = kept.jobs().collect();
+    let wanted = ((jobs.len() as f64 * share).ceil() as usize).max(1).min(jobs.len());
+    let mut rng = Stream::new(fresh_seed()?, 0);
+    // The first ones of a shuffled list.
+    for k in 0..wanted {
+        let other = k + rng.below(jobs.len() - k);
+        jobs.swap(k, other);
+    }
+    jobs.truncate(wanted);
+    let total = jobs.iter().map(|&job| sweep.weight(job)).sum();
+    let mut same = 0;
+    runner::carry_out(sweep, jobs, total, pool, control, |job, (record, _)| {
+        same += 1;
+        kept.compare(job, &record)
+    })?;
+    if same < wanted {
+        return Err(kept.interrupted());
+    }
+    kept.note(&message!("study-verified", "{same} of {all} rows were computed again, and came out the same", same, all = kept.counts().0));
     Ok(())
 }

@@ -2,7 +2,13 @@
 
 use std::{collections::BTreeMap, fmt, str::FromStr, sync::Arc};
 
-use forage::{Overrides, Registry, Scene, Setup, Value, kernel::Error, message, params::Parameters, run::Spending};
+use forage::{
+    Overrides, Registry, Scene, Setup, Value,
+    kernel::{Digest, Error},
+    message,
+    params::Parameters,
+    run::Spending,
+};
 
 use super::text::value_text;
 
@@ -93,6 +99,8 @@ pub struct Sweep {
     pub name: String,
     /// What is planned in; no two have one name.
     pub scenes: Vec<Arc<Scene>>,
+    /// What the rows of each scene come from: see [`digest`](crate::digest).
+    pub(super) origins: Vec<Digest>,
     /// How near to the exact optimum counts as reached: a share of it, on functions a difference.
     pub within: f64,
     /// When runs are stopped.
@@ -201,6 +209,16 @@ impl Sweep {
             params: self.values(planner, variant).into_iter().map(|(name, value)| (name, value.clone())).collect::<Overrides>(),
             seed: self.seeds.seed(job % self.seeds.len()),
         }
+    }
+
+    /// What a run's row comes from.
+    pub(super) fn origin(&self, job: usize) -> &Digest {
+        &self.origins[self.place(self.cell(job)).scene]
+    }
+
+    /// What the rows of a scene of this name come from.
+    pub(super) fn origin_of(&self, scene: &str) -> Option<&Digest> {
+        self.scenes.iter().position(|known| known.name() == scene).map(|scene| &self.origins[scene])
     }
 
     /// The run that a row tells of by its scene, planner, seed and the texts of its parameters, in the order of `parameters`.

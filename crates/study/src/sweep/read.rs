@@ -17,7 +17,7 @@ use forage::{
 };
 
 use super::{
-    super::failure::Failure,
+    super::{digest, failure::Failure},
     line::Format,
     plan::{Budget, MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants},
     text::value_text,
@@ -87,6 +87,7 @@ pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str
     let mut sweep = Sweep {
         registry,
         name,
+        origins: scenes.iter().map(|scene| digest::origin(scene)).collect(),
         scenes,
         within,
         budget,

@@ -40,18 +40,24 @@ fn runs_are_kept_in_parts_or_whole_and_the_files_are_the_same() {
 }
 
 #[test]
-fn rows_of_another_version_and_folders_of_others_are_refused() {
+fn rows_that_were_changed_are_run_again_and_folders_of_others_are_refused() {
     let folder = empty_folder("bench-version");
     carry_out(&folder, &["--shard", "1/2"]);
     carry_out(&folder, &["--shard", "2/2"]);
     // Of the second planner only, in one of the parts.
-    let part = folder.join("rows.2-of-2.csv");
+    let (part, rows) = (folder.join("rows.2-of-2.csv"), folder.join("rows.csv"));
     let kept = fs::read_to_string(&part).unwrap();
     let altered = kept.lines().map(|line| if line.starts_with("qpso") { format!("{line} 9999:0.0\n") } else { format!("{line}\n") });
     fs::write(&part, altered.collect::<String>()).unwrap();
     let output = carry_out(&folder, &[]);
-    assert!(output.status.code() == Some(2) && text(&output.stderr).contains("another version"), "{}", text(&output.stderr));
+    let said = text(&output.stderr);
+    assert!(
+        output.status.success() && said.contains("damaged lines in ") && said.contains("rows.2-of-2.csv: 6; their runs are repeated"),
+        "{said}"
+    );
+    let mended = fs::read_to_string(&rows).unwrap();
     assert_eq!(carry_out(&folder, &["--fresh"]).status.code(), Some(0));
+    assert_eq!(fs::read_to_string(&rows).unwrap(), mended);
     assert!(!part.exists());
     fs::remove_file(folder.join("coco/written-by-forage.txt")).unwrap();
     let output = carry_out(&folder, &[]);

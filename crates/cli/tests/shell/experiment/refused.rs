@@ -108,3 +108,11 @@ fn what_a_planner_refuses_at_its_start_is_named_before_anything_is_run() {
     let message = refused(&folder, &[]);
     assert!(message.contains("`planner[1].params.tune` is gamma; "), "{message}");
 }
+
+#[test]
+fn a_plan_that_is_no_text_is_refused() {
+    let folder = folder("bytes", "");
+    fs::write(folder.join("sweep.toml"), b"scenes = ['sphere\xff']\n").unwrap();
+    let message = refused(&folder, &[]);
+    assert!(message.contains("sweep.toml") && message.contains("utf-8"), "{message}");
+}

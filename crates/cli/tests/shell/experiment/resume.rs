@@ -75,34 +75,48 @@ fn every_cut_of_the_file_goes_on() {
 }
 
 #[test]
-fn what_is_there_is_not_run_again() {
+fn what_is_there_is_neither_run_nor_written_again() {
     let folder = folder("again", SMALL);
     let first = carry_out(&folder, &["--json"]);
     let out = folder.join("sweep.csv");
-    // Nobody would have got this hash: it stays, and so it was not carried out.
-    let rows = fs::read_to_string(&out).unwrap();
-    let hash = rows.lines().nth(5).unwrap().rsplit(',').next().unwrap();
-    let marked = rows.replace(hash, "0123456789abcdef");
-    fs::write(&out, &marked).unwrap();
+    let (rows, written) = (fs::read(&out).unwrap(), fs::metadata(&out).unwrap().modified().unwrap());
     assert_eq!(carry_out(&folder, &["--json"]), first);
-    assert_eq!(fs::read_to_string(&out).unwrap(), marked);
+    assert_eq!((fs::read(&out).unwrap(), fs::metadata(&out).unwrap().modified().unwrap()), (rows, written));
+    let sweep = trivial("[1, 2]", "");
+    let out = folder.join("trivial.csv");
+    in_process(&sweep, &out).unwrap();
+    let progress = |_, _| panic!("a run is carried out");
+    let control = Control { stop: &std::sync::atomic::AtomicBool::new(false), progress: &progress };
+    sweep::carry_out(&sweep, &mut open(&sweep, &out).unwrap(), None, Some(1), None, &control).unwrap();
 }
 
 #[test]
-fn rows_that_the_run_no_longer_gives_are_refused() {
+fn kept_rows_are_run_again_where_that_is_wanted() {
+    let folder = folder("verified", SMALL);
+    carry_out(&folder, &[]);
+    let file = folder.join("sweep.toml");
+    for (share, said) in [(&["--verify"][..], "2 of 18 rows"), (&["--verify", "0.5"], "9 of 18 rows"), (&["--verify", "0"], "1 of 18 rows")]
+    {
+        let output = forage(&[&["experiment", file.to_str().unwrap()], share].concat());
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success() && message.contains(said) && message.contains("came out the same"), "{message}");
+    }
+    for wrong in ["2", "-0.1", "half", "NaN"] {
+        let message = refused(&folder, &["--verify", wrong]);
+        assert!(message.contains("a number from 0 to 1"), "{message}");
+    }
+}
+
+#[test]
+fn rows_of_another_plan_are_refused() {
     let folder = folder("version", "");
     let path = folder.join("rows.csv");
     in_process(&trivial("[1, 2]", ""), &path).unwrap();
     let whole = fs::read_to_string(&path).unwrap();
-    let hash = whole.lines().nth(1).unwrap().rsplit(',').next().unwrap();
-    let marked = whole.replace(hash, "0123456789abcdef");
     // Whether other runs are left or not.
     for lines in [6, 9] {
-        let some: String = marked.split_inclusive('\n').take(lines).collect();
+        let some: String = whole.split_inclusive('\n').take(lines).collect();
         fs::write(&path, &some).unwrap();
-        let message = in_process(&trivial("[1, 2]", ""), &path).unwrap_err().to_string();
-        assert!(message.contains("now gives another row") && message.contains("--fresh"), "{message}");
-        assert_eq!(fs::read_to_string(&path).unwrap(), some, "nothing is lost");
         let near = trivial("[1, 2]", "within = 1000000");
         let message = in_process(&near, &path).unwrap_err().to_string();
         assert!(message.contains("line 2: its `within` is 0.01, not 1000000"), "{message}");
@@ -169,6 +183,7 @@ fn what_a_damaged_line_told_is_run_again() {
         assert_eq!(fs::read_to_string(folder.join(format!("{name}.bad"))).unwrap(), lines.concat());
         let told = kept.notes().join("; ");
         assert!(told.contains("line 4 is damaged") && told.contains("and 1 more; missing runs are repeated"), "{told}");
+        assert!(told.contains("7 of 8 rows were there; the first that was missing is that of"), "{told}");
         drop(kept);
         // A second time the first copy stays.
         fs::write(&path, lines[..4].concat()).unwrap();
@@ -200,7 +215,7 @@ fn rows_of_another_writer_are_not_cut_up() {
             }
         };
         let control = Control { stop: &std::sync::atomic::AtomicBool::new(false), progress: &progress };
-        sweep::carry_out(&sweep, &mut kept, None, Some(2), &control).unwrap();
+        sweep::carry_out(&sweep, &mut kept, None, Some(2), None, &control).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), whole);
         assert!(kept.notes().join(" ").contains("another program wrote in it"));
     }
@@ -233,10 +248,6 @@ fn a_file_of_something_else_is_refused_and_stays() {
     let cases = [
         ("notes, no newline".to_owned(), "does not begin like"),
         ("a,b\n1,2\n".to_owned(), "its first line is not scene,planner,seed,p.iterations,w,c1,population"),
-        (whole.replace(",0.4,", ",0.5,"), "line 5: there is no run of pso on sphere, iterations=20, w=0.5, c1=2, seed 1"),
-        (whole.replace("sphere,wcpso,2", "sphere,wcpso,4"), "seed 4"),
-        (whole.replace("sphere,wcpso,2", "sphere,cpso,2"), "there is no run of cpso on sphere"),
-        (format!("{whole}{}", whole.lines().nth(1).unwrap().replace("exhausted", "solved") + "\n"), "came out otherwise"),
     ];
     for (text, part) in cases {
         fs::write(&out, &text).unwrap();
@@ -244,8 +255,27 @@ fn a_file_of_something_else_is_refused_and_stays() {
         assert!(message.contains(part), "{part}: {message}");
         assert_eq!(fs::read_to_string(&out).unwrap(), text);
     }
+    fs::write(&out, whole.lines().next().unwrap().to_owned() + "\nnothing\n").unwrap();
     carry_out(&folder, &["--out", out.to_str().unwrap(), "--fresh"]);
     assert_eq!(fs::read_to_string(&out).unwrap(), whole);
+    // What was changed in our rows is run again.
+    for (ours, theirs) in [(",0.4,", ",0.5,"), ("sphere,wcpso,2", "sphere,cpso,2"), (",true,", ",false,")] {
+        fs::write(&out, whole.replacen(ours, theirs, 5)).unwrap();
+        carry_out(&folder, &args);
+        assert_eq!(fs::read_to_string(&out).unwrap(), whole);
+    }
+    // What the plan no longer has is another's.
+    for (ours, theirs, part) in [
+        ("0.8, 0.4", "0.8, 0.5", "there is no run of pso on sphere, iterations=20, w=0.4, c1=2, seed 1"),
+        ("count = 3", "count = 2", "seed 3"),
+        ("\"wcpso\"", "\"cpso\"", "there is no run of wcpso on sphere"),
+    ] {
+        fs::write(folder.join("sweep.toml"), SMALL.replace(ours, theirs)).unwrap();
+        let message = refused(&folder, &args);
+        assert!(message.contains(part) && message.contains("another experiment"), "{part}: {message}");
+        assert_eq!(fs::read_to_string(&out).unwrap(), whole);
+    }
+    fs::write(folder.join("sweep.toml"), SMALL).unwrap();
     let message = refused(&folder, &["--out", out.to_str().unwrap(), "--shard", "1/2"]);
     assert!(message.contains("is not in part 1/2"), "{message}");
 }

@@ -112,7 +112,7 @@ pub(crate) fn open<'a>(sweep: &'a Sweep, path: &Path) -> Result<Kept<'a>, Failur
 }
 
 pub(crate) fn go_on(sweep: &Sweep, kept: &mut Kept) -> Result<(), Failure> {
-    sweep::carry_out(sweep, kept, None, Some(1), &Control { stop: &AtomicBool::new(false), progress: &|_, _| {} })
+    sweep::carry_out(sweep, kept, None, Some(1), None, &Control { stop: &AtomicBool::new(false), progress: &|_, _| {} })
 }
 
 /// Waits until so many rows are there; says how many were.

@@ -15,6 +15,7 @@ use forage::{
 use super::{
     super::{
         super::{
+            disk,
             failure::{Failure, at},
             plot::{self, Bar},
             table::{Cell, Table},
@@ -165,7 +166,7 @@ pub(super) fn write(rows: &[Row], data: &Path, folder: &Path) -> Result<Vec<Path
                 row.score
             );
         }
-        fs::write(&file, text).map_err(at(&file))?;
+        disk::write(&file, text).map_err(at(&file))?;
     }
     let mut text = String::from("# barn\n\n");
     // Writing to a text cannot fail.
@@ -181,6 +182,6 @@ pub(super) fn write(rows: &[Row], data: &Path, folder: &Path) -> Result<Vec<Path
     draw(&picture, &table)?;
     text.push_str(&table.markdown());
     text.push_str("\n![The challenge’s score of each planner, with 95 % intervals](score.svg)\n");
-    fs::write(&report, text).map_err(at(&report))?;
+    disk::write(&report, text).map_err(at(&report))?;
     Ok(vec![report, picture, logs])
 }

@@ -1,11 +1,12 @@
 //! Files in the format `bbob-new2` of COCO’s observer, without positions: `cocopp FOLDER` makes a report of them.
 
-use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
+use std::{collections::BTreeMap, fmt::Write as _, path::Path};
 
 use forage::{math, scene::FunctionScene};
 
 use super::{
     super::{
+        super::disk,
         super::failure::{Failure, at},
         suite::safe_file_name,
         targets,
@@ -83,7 +84,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         let own = folder.join(safe_file_name(&contender));
         let data = format!("data_f{function}");
         let stem = format!("bbobexp_f{function}_DIM{dimension}");
-        fs::create_dir_all(own.join(&data)).map_err(at(&own))?;
+        disk::make_folder(&own.join(&data)).map_err(at(&own))?;
         let (mut values, mut evaluations) = (String::new(), String::new());
         let info = infos.entry((contender.clone(), function)).or_default();
         let _ = write!(
@@ -108,12 +109,12 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         info.push('\n');
         for (ending, text) in [("dat", values), ("tdat", evaluations)] {
             let path = own.join(&data).join(format!("{stem}.{ending}"));
-            fs::write(&path, text).map_err(at(&path))?;
+            disk::write(&path, text).map_err(at(&path))?;
         }
     }
     for ((contender, function), info) in infos {
         let path = folder.join(safe_file_name(&contender)).join(format!("bbobexp_f{function}.info"));
-        fs::write(&path, info).map_err(at(&path))?;
+        disk::write(&path, info).map_err(at(&path))?;
     }
     Ok(())
 }

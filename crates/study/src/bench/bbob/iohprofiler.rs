@@ -1,11 +1,12 @@
 //! Files as IOHprofiler’s logger writes them: IOHanalyzer and `iohinspector` read them.
 
-use std::{collections::BTreeMap, fmt::Write as _, fs, path::Path};
+use std::{collections::BTreeMap, fmt::Write as _, path::Path};
 
 use serde_json::{Value, json};
 
 use super::{
     super::{
+        super::disk,
         super::failure::{Failure, at},
         suite::safe_file_name,
     },
@@ -25,7 +26,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         let own = folder.join(safe_file_name(&contender));
         let title = TITLES[function - 1];
         let data = format!("data_f{function}_{title}");
-        fs::create_dir_all(own.join(&data)).map_err(at(&own))?;
+        disk::make_folder(&own.join(&data)).map_err(at(&own))?;
         let mut scenarios = Vec::new();
         for (dimension, rows) in dimensions {
             let name = format!("{data}/IOHprofiler_f{function}_DIM{dimension}.dat");
@@ -45,7 +46,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
                 runs.push(json!({ "instance": row.instance, "evals": row.evaluations, "best": { "evals": best, "y": gap, "x": Value::Array(Vec::new()) } }));
             }
             let path = own.join(&name);
-            fs::write(&path, text).map_err(at(&path))?;
+            disk::write(&path, text).map_err(at(&path))?;
             scenarios.push(json!({ "dimension": dimension, "path": name, "runs": runs }));
         }
         let description = json!({
@@ -60,7 +61,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<(), Failure> {
         });
         let path = own.join(format!("IOHprofiler_f{function}_{title}.json"));
         let text = serde_json::to_string_pretty(&description).unwrap_or_default();
-        fs::write(&path, text + "\n").map_err(at(&path))?;
+        disk::write(&path, text + "\n").map_err(at(&path))?;
     }
     Ok(())
 }

@@ -3,7 +3,6 @@
 use std::{
     collections::{BTreeMap, BTreeSet},
     fmt::Write as _,
-    fs,
     path::{Path, PathBuf},
 };
 
@@ -13,6 +12,7 @@ use plotters::chart::SeriesLabelPosition;
 use super::{
     super::{
         super::{
+            disk,
             failure::{Failure, at},
             plot::{self, Axis, Curve},
             ranking::Ranking,
@@ -160,7 +160,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         }
     }
     let report = folder.join("report.md");
-    fs::write(&report, text).map_err(at(&report))?;
+    disk::write(&report, text).map_err(at(&report))?;
     Ok(vec![report, picture, profile].into_iter().chain(ranked.then_some(ranks)).collect())
 }
 

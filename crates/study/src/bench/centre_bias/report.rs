@@ -2,7 +2,6 @@
 
 use std::{
     fmt::Write as _,
-    fs,
     path::{Path, PathBuf},
 };
 
@@ -11,6 +10,7 @@ use forage::statistics::Summary;
 use super::{
     super::{
         super::{
+            disk,
             failure::{Failure, at},
             plot::{self, Bar},
             table::{Cell, Table, digits},
@@ -101,7 +101,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     };
     let bars: Vec<Bar> = contenders(rows).into_iter().filter_map(bar).collect();
     plot::draw_ratios(&picture, "gap on shifted functions : gap on centred ones", &bars)?;
-    fs::write(&file_of_ratios, file(rows)).map_err(at(&file_of_ratios))?;
+    disk::write(&file_of_ratios, file(rows)).map_err(at(&file_of_ratios))?;
     let budgets = distinct(rows.iter().map(|row| (row.budget / row.dimension.max(1) as u64).to_string()));
     let dimensions = distinct(rows.iter().map(|row| row.dimension.to_string()));
     let mut text = String::from("# centre-bias\n\n");
@@ -125,6 +125,6 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         text.push('\n');
         text.push_str(&gaps(rows, &function).markdown());
     }
-    fs::write(&report, text).map_err(at(&report))?;
+    disk::write(&report, text).map_err(at(&report))?;
     Ok(vec![report, picture, file_of_ratios])
 }

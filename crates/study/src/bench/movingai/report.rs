@@ -3,7 +3,6 @@
 use std::{
     collections::BTreeMap,
     fmt::Write as _,
-    fs,
     path::{Path, PathBuf},
 };
 
@@ -13,6 +12,7 @@ use plotters::chart::SeriesLabelPosition;
 use super::{
     super::{
         super::{
+            disk,
             failure::{Failure, at},
             plot::{self, Axis, Curve},
             table::{Cell, Table},
@@ -132,7 +132,7 @@ pub(super) fn write(rows: &[Row], notes: &[Message], folder: &Path) -> Result<Ve
     let gaps = curves(rows, |group| group.gaps.map(|gap| 100.0 * gap.mean));
     let least = values(&gaps).into_iter().fold(0.0, f64::min);
     plot::draw(&gap, &x(), &Axis::linear("mean gap, %", least, values(&gaps).into_iter()), &gaps, SeriesLabelPosition::LowerRight)?;
-    fs::write(&by_bucket, table(rows, "buckets", "By bucket", u64::MAX).csv().map_err(at(&by_bucket))?).map_err(at(&by_bucket))?;
+    disk::write(&by_bucket, table(rows, "buckets", "By bucket", u64::MAX).csv().map_err(at(&by_bucket))?).map_err(at(&by_bucket))?;
 
     let files = distinct(rows.iter().map(|row| row.file.clone())).len();
     let faults = rows.iter().filter(|row| row.is_fault()).count();
@@ -155,6 +155,6 @@ pub(super) fn write(rows: &[Row], notes: &[Message], folder: &Path) -> Result<Ve
     text.push_str(&planners(rows).markdown());
     text.push_str("\n![Median time over the bucket](time.svg)\n\n![Mean gap over the bucket](gap.svg)\n\n");
     text.push_str(&table(rows, "bands", "By length: a bucket is four cells long", BANDS).markdown());
-    fs::write(&report, text).map_err(at(&report))?;
+    disk::write(&report, text).map_err(at(&report))?;
     Ok(vec![report, time, gap, by_bucket])
 }

@@ -4,7 +4,6 @@
 
 use std::{
     fmt::Write as _,
-    fs,
     path::{Path, PathBuf},
     sync::Arc,
 };
@@ -13,6 +12,7 @@ use forage::Scene;
 
 use super::{
     super::{
+        super::disk,
         super::failure::{Failure, at},
         suite::{distinct, recreate_folder, safe_file_name},
     },
@@ -42,9 +42,9 @@ pub(super) fn write(rows: &[Row], scenes: &[Arc<Scene>], budget: u64, folder: &P
         if !own.is_empty() {
             let name = safe_file_name(scene.name());
             let file = folder.join(format!("{name}.log"));
-            fs::write(&file, log(&own, scene, budget)).map_err(at(&file))?;
+            disk::write(&file, log(&own, scene, budget)).map_err(at(&file))?;
             let file = folder.join(format!("{name}.json"));
-            fs::write(&file, scene.to_json()).map_err(at(&file))?;
+            disk::write(&file, scene.to_json()).map_err(at(&file))?;
         }
     }
     Ok(folder.to_owned())

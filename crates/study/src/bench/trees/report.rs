@@ -2,7 +2,6 @@
 
 use std::{
     fmt::Write as _,
-    fs,
     path::{Path, PathBuf},
 };
 
@@ -12,6 +11,7 @@ use plotters::chart::SeriesLabelPosition;
 use super::{
     super::{
         super::{
+            disk,
             failure::{Failure, at},
             plot::{self, Axis, Curve},
             table::{Cell, Table},
@@ -97,7 +97,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
         text.push('\n');
         text.push_str(&scene(rows, &name).markdown());
     }
-    fs::write(&report, text).map_err(at(&report))?;
+    disk::write(&report, text).map_err(at(&report))?;
     Ok(vec![report, picture])
 }
 

@@ -2,7 +2,6 @@
 
 use std::{
     fmt::Write as _,
-    fs,
     path::{Path, PathBuf},
 };
 
@@ -12,6 +11,7 @@ use plotters::chart::SeriesLabelPosition;
 use super::{
     super::{
         super::{
+            disk,
             failure::{Failure, at},
             plot::{self, Axis, Curve},
             ranking::Ranking,
@@ -134,7 +134,7 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     let drawn = curves(rows, |row| Some(row.seconds.max(1e-6)));
     plot::draw(&time, &x(), &Axis::log("mean time, s", values(&drawn).into_iter()), &drawn, SeriesLabelPosition::UpperLeft)?;
     let gaps = gaps(rows);
-    fs::write(&table, gaps.csv().map_err(at(&table))?).map_err(at(&table))?;
+    disk::write(&table, gaps.csv().map_err(at(&table))?).map_err(at(&table))?;
     let budgets = distinct(rows.iter().map(|row| (row.budget / row.stops.max(1) as u64).to_string()));
     let mut text = String::from("# tsplib\n\n");
     // Writing to a text cannot fail.
@@ -161,6 +161,6 @@ pub(super) fn write(rows: &[Row], folder: &Path) -> Result<Vec<PathBuf>, Failure
     }
     text.push_str("![Share of instances toured within so many times the least length](profile.svg)\n\n");
     text.push_str(&gaps.markdown());
-    fs::write(&report, text).map_err(at(&report))?;
+    disk::write(&report, text).map_err(at(&report))?;
     Ok([report, time, profile, table].into_iter().chain(measured.then_some(gap)).chain(ranked.then_some(ranks)).collect())
 }

@@ -1,8 +1,9 @@
 import type { ParameterValue, Scene, TrialRecord } from 'forage-lab'
 import { batch as text } from '../../../locales/en/batch'
+import { cell } from '../../../text/cells'
 import type { Shown } from './shown'
 
-/* The files of `forage experiment`: the same columns, the same digits, the same order of rows. */
+/* The files of `forage experiment`: the same columns but for its digests, the same digits, the same order of rows. */
 
 const LEAD = ['scene', 'planner', 'seed'] as const
 const RESULTS = [
@@ -41,8 +42,6 @@ export function digits(value: number): string {
   return size === 0 || (size >= LEAST_PLAIN && size < LEAST_LARGE) ? String(value) : value.toExponential().replace('+', '')
 }
 
-const quoted = (field: string): string => (/[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field)
-
 const plain = (value: ParameterValue | null | undefined): string =>
   value === null || value === undefined ? '' : typeof value === 'number' ? digits(value) : String(value)
 
@@ -74,7 +73,7 @@ function tableOf(shown: Shown): Table {
 
 export function csv(shown: Shown): string {
   const { columns, rows } = tableOf(shown)
-  return [columns, ...rows.map((row) => row.map(plain))].map((row) => `${row.map(quoted).join(',')}\n`).join('')
+  return [columns, ...rows.map((row) => row.map(plain))].map((row) => `${row.map(cell).join(',')}\n`).join('')
 }
 
 export function jsonLines(shown: Shown): string {
