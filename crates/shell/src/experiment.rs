@@ -49,7 +49,7 @@ pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
     let outcome = if args.merge.is_empty() {
         run_missing(&sweep, &mut kept, curves.as_mut(), args)
     } else {
-        with_progress(&sweep, |control| sweep::merge(&sweep, &mut kept, curves.as_ref(), &args.merge, args.verify, control))
+        with_progress(&sweep, |control| sweep::merge(&sweep, &mut kept, curves.as_mut(), &args.merge, args.verify, control))
     };
     notes(curves.as_ref().map_or(&[], Curves::notes));
     notes(kept.notes());

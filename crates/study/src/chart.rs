@@ -9,8 +9,8 @@ use forage::math;
 use super::{
     failure::Failure,
     fit::Fit,
-    plot::drawn,
     quantities::{Case, QUANTITIES, Range},
+    svg::drawn,
 };
 
 const SIZE: (u32, u32) = (1040, 480);

@@ -3,6 +3,7 @@
 //! A row that was changed, cut, put together from others or made from something else does not fit its digest; it is no proof
 //! against somebody who computes a digest, too: `--verify` runs rows again.
 
+use csv::StringRecord;
 use forage::{
     Scene,
     kernel::{Digest, Message},
@@ -15,10 +16,11 @@ pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// How many digits it has.
 pub(super) const DIGITS: usize = 16;
 
-/// What the rows of a scene come from besides what stands in them.
-pub(super) fn origin(scene: &Scene) -> Digest {
+/// What the rows of a scene come from besides what stands in them: also of which columns that is.
+pub(super) fn origin(scene: &Scene, columns: &[String]) -> Digest {
     let mut digest = Digest::default();
     add(&mut digest, VERSION.as_bytes());
+    columns.iter().for_each(|column| add(&mut digest, column.as_bytes()));
     add(&mut digest, scene.to_json().as_bytes());
     digest
 }
@@ -30,10 +32,11 @@ pub(super) fn of(origin: &Digest, row: &[u8]) -> String {
     digest.hex()
 }
 
-/// The digest of cells in front of it.
-pub(super) fn of_cells<'a>(cells: impl IntoIterator<Item = &'a str>) -> String {
+/// The digest of cells in front of it, in columns of these names.
+pub(super) fn of_cells<'a>(names: &StringRecord, cells: impl IntoIterator<Item = &'a str>) -> String {
     let mut digest = Digest::default();
     add(&mut digest, VERSION.as_bytes());
+    names.iter().for_each(|name| add(&mut digest, name.as_bytes()));
     cells.into_iter().for_each(|cell| add(&mut digest, cell.as_bytes()));
     digest.hex()
 }

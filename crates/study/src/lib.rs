@@ -50,6 +50,7 @@ pub mod runner;
 pub mod search;
 pub mod spreadsheet;
 pub mod study;
+mod svg;
 pub mod sweep;
 pub mod table;
 mod tours;

@@ -12,7 +12,8 @@ use plotters::{
 use super::{
     chart::{DASHES, MANY},
     disk,
-    failure::{Failure, at},
+    failure::Failure,
+    svg::drawn,
 };
 
 const SIZE: (u32, u32) = (900, 560);
@@ -80,12 +81,6 @@ pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
         Err(problem) if problem.kind() != io::ErrorKind::NotFound => Err(Failure::File(path.to_owned(), problem)),
         _ => Ok(()),
     }
-}
-
-/// Draws a picture as SVG, and writes it.
-pub(crate) fn drawn(path: &Path, draw: impl FnOnce(&mut String) -> Result<(), Box<dyn Error>>) -> Result<(), Failure> {
-    let mut svg = String::new();
-    draw(&mut svg).map_err(|problem| io::Error::other(problem.to_string())).and_then(|()| disk::write(path, svg)).map_err(at(path))
 }
 
 /// Draws curves, with a legend at the given position.

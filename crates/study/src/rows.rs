@@ -5,7 +5,7 @@
 
 use std::{
     fs::File,
-    io::{self, Read, Write},
+    io::{self, BufRead, BufReader, Read, Seek, Write},
     path::{Path, PathBuf},
 };
 
@@ -27,6 +27,8 @@ use super::{
 
 /// The largest file of rows: it is read as a whole.
 const LARGEST: u64 = 1 << 30;
+/// More than this the names of columns do not take.
+const LONGEST_HEADING: u64 = 1 << 16;
 
 /// What a job finds out. Its fields become columns, in their order.
 pub trait KeyedRow: Clone + PartialEq + Serialize + DeserializeOwned + Send + Sync {
@@ -62,6 +64,7 @@ impl<R: KeyedRow> Rows<R> {
         let mut file = Out::append(path).map_err(at(path))?;
         // Where files cannot be locked at all, nothing is lost but the warning.
         locked(file.file().try_lock(), path)?;
+        refuse_others(path, file.file())?;
         if fresh {
             file.set_len(0).map_err(at(path))?;
         }
@@ -79,13 +82,35 @@ impl<R: KeyedRow> Rows<R> {
         let mut bytes = Vec::new();
         file.file().take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
         let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1);
-        if whole < bytes.len() {
-            file.set_len(whole as u64).map_err(at(path))?;
-        }
         let kept = read(&bytes[..whole]).collect::<Result<Vec<R>, _>>().map_err(|problem| {
             Error::malformed(&path.display().to_string(), message!("study-fresh", "{problem}; --fresh starts over", problem))
         })?;
+        if whole < bytes.len() {
+            file.set_len(whole as u64).map_err(at(path))?;
+        }
         Ok(Self { path: path.to_owned(), file, headed: whole > 0, kept })
+    }
+
+    /// Opens the file to throw away what is there, with [`Self::clear`]; it is not read.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn open_to_clear(path: &Path) -> Result<Self, Failure> {
+        if let Some(folder) = path.parent() {
+            disk::make_folder(folder).map_err(at(folder))?;
+        }
+        let file = Out::append(path).map_err(at(path))?;
+        locked(file.file().try_lock(), path)?;
+        refuse_others(path, file.file())?;
+        Ok(Self { path: path.to_owned(), file, headed: true, kept: Vec::new() })
+    }
+
+    /// Puts all rows on the disk.
+    ///
+    /// # Errors
+    /// As the system says.
+    pub fn sync(&mut self) -> Result<(), Failure> {
+        self.file.sync().map_err(at(&self.path))
     }
 
     /// Throws away all rows.
@@ -122,6 +147,24 @@ impl<R: KeyedRow> Rows<R> {
     {
         lines(rows, true).and_then(|text| disk::write(&self.path, text)).map_err(at(&self.path))
     }
+}
+
+/// Refuses a file that does not begin as files of rows do, with names of columns; what a loss of power leaves may.
+fn refuse_others(path: &Path, mut file: &File) -> Result<(), Failure> {
+    let mut line = Vec::new();
+    file.rewind().map_err(at(path))?;
+    BufReader::new(file.take(LONGEST_HEADING)).read_until(b'\n', &mut line).map_err(at(path))?;
+    file.rewind().map_err(at(path))?;
+    let names = line.strip_suffix(b"\n").unwrap_or(&line).split(|&byte| byte == 0).next().unwrap_or_default();
+    let is_name = |byte: &u8| byte.is_ascii_lowercase() || byte.is_ascii_digit() || *byte == b'_' || *byte == b',';
+    let is_ours = names.iter().all(is_name)
+        && (!line.ends_with(b"\n") || names.contains(&b','))
+        && (!names.is_empty() || line.iter().all(|&byte| byte == 0));
+    if is_ours {
+        return Ok(());
+    }
+    let problem = message!("study-no-file-of-rows", "it does not begin like a file of rows");
+    Err(Error::malformed(&path.display().to_string(), message!("study-elsewhere", "{problem}; choose another --out", problem)).into())
 }
 
 /// Takes damaged lines out of a file of rows, so that their runs are repeated; the file as it was is kept under the name that
@@ -184,12 +227,17 @@ fn serialized<'a, R: KeyedRow + 'a>(rows: impl IntoIterator<Item = &'a R>, heade
 const DIGEST: &str = "digest";
 
 fn lines<'a, R: KeyedRow + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, io::Error> {
-    let plain = serialized(rows, headed)?;
+    let plain = serialized(rows, true)?;
     let mut writer = csv::Writer::from_writer(Vec::with_capacity(2 * plain.len()));
-    for (k, cells) in csv::ReaderBuilder::new().has_headers(false).from_reader(&*plain).records().enumerate() {
+    let mut reader = csv::Reader::from_reader(&*plain);
+    let names = reader.headers()?.clone();
+    if headed {
+        writer.write_record(names.iter().chain([DIGEST]))?;
+    }
+    for cells in reader.records() {
         let mut cells: StringRecord = cells?.iter().map(spreadsheet::safe).collect();
-        let last = if headed && k == 0 { DIGEST.to_owned() } else { digest::of_cells(&cells) };
-        cells.push_field(&last);
+        let digest = digest::of_cells(&names, &cells);
+        cells.push_field(&digest);
         writer.write_record(&cells)?;
     }
     writer.into_inner().map_err(|error| io::Error::other(error.to_string()))
@@ -210,7 +258,7 @@ fn read<R: KeyedRow>(text: &[u8]) -> impl Iterator<Item = Result<R, Message>> {
         let names = names.as_ref().map_err(|problem| Message::verbatim(problem.as_str()))?.as_ref().ok_or_else(digest::missing)?;
         let record = record.map_err(unreadable)?;
         let cells: Vec<&str> = record.iter().take(names.len()).collect();
-        if record.iter().nth(names.len()) != Some(&*digest::of_cells(cells.iter().copied())) {
+        if record.iter().nth(names.len()) != Some(&*digest::of_cells(names, cells.iter().copied())) {
             return Err(said(digest::differs()));
         }
         let plain: StringRecord = cells.into_iter().map(spreadsheet::plain).collect();

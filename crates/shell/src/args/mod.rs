@@ -179,7 +179,7 @@ pub(super) struct ExperimentArgs {
     #[arg(long, value_name = "PART", num_args = 1.., conflicts_with = "jobs", value_hint = ValueHint::FilePath)]
     pub(super) merge: Vec<PathBuf>,
     /// Run a random share of the kept rows again, from 0 to 1 (one row at least), before anything else: each must come out the same.
-    #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "0.1", value_parser = share, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "0.1", value_parser = share, allow_negative_numbers = true, conflicts_with = "fresh")]
     pub(super) verify: Option<f64>,
     /// Write convergence curves, the best value of each run over its evaluations: .csv, or .parquet. What is kept of each run is in files with .runs.csv
     /// behind its name; of parts only those are written, and `--merge` takes them together.

@@ -23,6 +23,8 @@ use super::{super::failure::Failure, Call};
 pub(crate) enum Fault {
     /// It fails, and nothing is done.
     Fail,
+    /// It is not allowed, and nothing is done.
+    Denied,
     /// The disk is full: half of what is to be written is there.
     Short,
     /// The program is killed: half of what is to be written is there, and nothing is called after it.
@@ -119,11 +121,11 @@ pub(super) fn allow(call: Call, path: &Path) -> io::Result<()> {
         return Err(io::ErrorKind::ReadOnlyFilesystem.into());
     }
     if let Some((_, fault)) = disk.armed.filter(|(at, _)| *at == disk.calls) {
-        if let (Call::Write(file, bytes), true) = (call, fault != Fault::Fail) {
+        if let (Call::Write(file, bytes), true) = (call, !matches!(fault, Fault::Fail | Fault::Denied)) {
             file.write_all(&bytes[..bytes.len() / 2])?;
         }
         disk.dead = matches!(fault, Fault::Kill | Fault::PowerLoss);
-        return Err(no_space());
+        return Err(if fault == Fault::Denied { io::ErrorKind::PermissionDenied.into() } else { no_space() });
     }
     remember(disk, &call, path);
     Ok(())
@@ -161,7 +163,7 @@ fn remember(disk: &mut Disk, call: &Call, path: &Path) {
     }
 }
 
-const FAULTS: [Fault; 4] = [Fault::Fail, Fault::Short, Fault::Kill, Fault::PowerLoss];
+const FAULTS: [Fault; 5] = [Fault::Fail, Fault::Denied, Fault::Short, Fault::Kill, Fault::PowerLoss];
 
 /// What a program does in a folder; told how much of it is done.
 pub(crate) type Program<'a> = &'a dyn Fn(&Path, &(dyn Fn(u64) + Sync)) -> Result<(), Failure>;
@@ -207,7 +209,8 @@ pub(crate) fn meets_every_fault(prepare: &dyn Fn(&Path), program: Program, rows:
                 told.fetch_max(done, Ordering::Relaxed);
             });
             end();
-            assert!(outcome.is_err(), "{fault:?} at call {at} is not said");
+            // What nothing can be written beside is written as it is.
+            assert!(outcome.is_err() || fault == Fault::Denied, "{fault:?} at call {at} is not said");
             if fault != Fault::PowerLoss {
                 assert!(rows(folder.path()) >= told.load(Ordering::Relaxed), "{fault:?} at call {at}: what was done is gone");
             }

@@ -101,7 +101,7 @@ impl Curves {
             if !fresh {
                 notes.extend(repair::<KeptCurve>(path)?.as_ref().map(ToString::to_string));
             }
-            Rows::<KeptCurve>::open(path, false)
+            if fresh { Rows::<KeptCurve>::open_to_clear(path) } else { Rows::open(path, false) }
         };
         let mut rows = open(&kept_at(path, part))?;
         let mut known: BTreeMap<String, KeptCurve> = BTreeMap::new();
@@ -155,7 +155,8 @@ impl Curves {
     }
 
     /// Writes the table of all runs, in their order; of a part nothing is left to write.
-    pub(super) fn settle(&self, kept: &Kept) -> Result<(), Failure> {
+    pub(super) fn settle(&mut self, kept: &Kept) -> Result<(), Failure> {
+        self.rows.sync()?;
         if self.part != Part::WHOLE {
             return Ok(());
         }

@@ -29,7 +29,7 @@ use super::{
     super::{
         disk::{self, Out, Replacement},
         failure::{Failure, at},
-        files::{damaged, is_same, locked},
+        files::{damaged, is_same, locked, place},
     },
     line::{Format, RunStatistics},
     plan::{Part, Sweep},
@@ -95,8 +95,8 @@ impl<'a> Kept<'a> {
         if let Some(folder) = path.parent() {
             disk::make_folder(folder).map_err(at(folder))?;
         }
-        let file = Handle::open(path)?;
-        let notes = locked(file.file().try_lock(), path)?.iter().map(ToString::to_string).collect();
+        let (file, note) = Handle::open_locked(path)?;
+        let notes = note.iter().map(ToString::to_string).collect();
         let all = part.len(sweep.len());
         let (rows, told) = (vec![NOWHERE; all], vec![Told::default(); all]);
         let files = vec![path.to_owned()];
@@ -126,7 +126,8 @@ impl<'a> Kept<'a> {
         if self.damaged {
             let bad = damaged(&path);
             let mut copy = Out::create_new(&bad).map_err(at(&bad))?;
-            File::open(&path).and_then(|mut file| io::copy(&mut file, &mut copy)).and_then(|_| copy.sync()).map_err(at(&bad))?;
+            let mut file = self.file.file();
+            file.rewind().and_then(|()| io::copy(&mut file, &mut copy)).and_then(|_| copy.sync()).map_err(at(&bad))?;
             let (file, bad) = (path.display().to_string(), bad.display().to_string());
             self.notes.push(message!("study-kept-as", "{file}: as it was it is kept as {bad}", file, bad).to_string());
             self.rewrite(0)?;
@@ -157,9 +158,10 @@ impl<'a> Kept<'a> {
 
     /// Removes a file with nothing in it.
     pub(super) fn leave(&self) {
-        if self.file.file().metadata().is_ok_and(|file| file.len() == 0) {
+        let is_new = matches!(&self.file, Handle::Writable(out) if out.is_new());
+        if is_new && self.file.file().metadata().is_ok_and(|file| file.len() == 0) {
             // It says nothing, and so it does no harm if it stays.
-            let _ = disk::remove(self.path());
+            let _ = place(self.path()).map(|path| disk::remove(&path));
         }
     }
 
@@ -309,10 +311,11 @@ impl<'a> Kept<'a> {
         }
         let problem = message!(
             "study-another-row",
-            "the run of {run} now gives another row: another version of forage, another scene or another `within`; --fresh starts over",
+            "the run of {run} now gives another row: it was made up, or this machine computes otherwise; --fresh starts over",
             run = self.sweep.describe(job)
         );
-        Err(Error::malformed(&self.path().display().to_string(), problem).into())
+        let file = &self.files[self.rows[slot].file as usize];
+        Err(Error::malformed(&file.display().to_string(), problem).into())
     }
 
     /// Adds a row, in one write, so that it is there whatever happens next.
@@ -379,7 +382,7 @@ impl<'a> Kept<'a> {
         self.file.out().map_err(at(&path))?;
         let mut new = Replacement::of(&path).map_err(at(&path))?;
         // Whoever waits for the file finds it locked again.
-        locked(new.file().try_lock(), new.beside())?;
+        locked(new.file().map_err(at(&path))?.try_lock(), new.beside())?;
         let (rows, end) = self.write_ordered(&mut new, least)?;
         self.file = Handle::Writable(new.commit().map_err(at(&path))?);
         (self.rows, self.end) = (rows, end);

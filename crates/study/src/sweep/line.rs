@@ -1,10 +1,11 @@
 //! A row as a line: CSV or JSON Lines, with the same columns and the same digits.
 
-use std::{io, path::Path};
+use std::{io, path::Path, sync::Arc};
 
 use serde_json::{Map, Value};
 
 use forage::{
+    Scene,
     kernel::{Error, Message, ReferenceOptimum},
     message,
     run::trial::Record,
@@ -85,10 +86,13 @@ impl Format {
     }
 
     /// What every file of this kind begins with, as far as it is known.
-    pub(super) fn beginning(self, sweep: &Sweep) -> io::Result<Vec<u8>> {
+    pub(super) fn beginnings(self, sweep: &Sweep) -> io::Result<Vec<Vec<u8>>> {
         match self {
-            Self::Csv => self.heading(sweep),
-            Self::JsonLines => Ok(b"{\"scene\":\"".to_vec()),
+            Self::Csv => Ok(vec![self.heading(sweep)?]),
+            Self::JsonLines => {
+                let of_scene = |scene: &Arc<Scene>| format!("{{\"scene\":{},\"planner\":\"", Value::from(scene.name())).into_bytes();
+                Ok(sweep.scenes.iter().map(of_scene).collect())
+            }
         }
     }
 
@@ -121,6 +125,15 @@ impl Format {
             return Ok(digest::missing());
         }
         let heading = self.heading(sweep)?;
+        let ends = line.strip_suffix(b"\r\n").is_some_and(|line| {
+            self == Self::JsonLines && self.begins(&[line, b"\n"].concat()) || heading.strip_suffix(b"\n") == Some(line)
+        });
+        if ends {
+            return Ok(message!(
+                "study-line-ends",
+                "its lines end with CR and LF, which another program has made of LF: convert them back"
+            ));
+        }
         Ok(if heading.is_empty() || !line.ends_with(b"\n") {
             message!("study-no-file-of-rows", "it does not begin like a file of rows")
         } else {

@@ -144,7 +144,7 @@ pub fn carry_out(
 pub fn merge(
     sweep: &Sweep,
     kept: &mut Kept,
-    curves: Option<&Curves>,
+    curves: Option<&mut Curves>,
     parts: &[PathBuf],
     verify: Option<f64>,
     control: &Control,
@@ -152,7 +152,7 @@ pub fn merge(
     let pool = runner::pool(None)?;
     let checked = kept.gather(parts).and_then(|()| check_rows(sweep, kept, &pool, control.stop));
     let checked = checked.and_then(|()| verify.map_or(Ok(()), |share| verify_share(sweep, kept, share, &pool, control)));
-    checked.and_then(|()| check_curves(kept, curves)).inspect_err(|_| kept.leave())?;
+    checked.and_then(|()| check_curves(kept, curves.as_deref())).inspect_err(|_| kept.leave())?;
     kept.begin()?;
     kept.settle()?;
     curves.map_or(Ok(()), |curves| curves.settle(kept))

@@ -18,7 +18,7 @@ use forage::{
 
 use super::{
     super::{digest, failure::Failure},
-    line::Format,
+    line::{Format, columns},
     plan::{Budget, MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants},
     text::value_text,
 };
@@ -87,7 +87,7 @@ pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str
     let mut sweep = Sweep {
         registry,
         name,
-        origins: scenes.iter().map(|scene| digest::origin(scene)).collect(),
+        origins: Vec::new(),
         scenes,
         within,
         budget,
@@ -98,6 +98,8 @@ pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str
         planners,
         weights: Vec::new(),
     };
+    let columns = columns(&sweep);
+    sweep.origins = sweep.scenes.iter().map(|scene| digest::origin(scene, &columns)).collect();
     let groups = sweep.planners.iter().map(|planner| planner.count).fold(0, usize::saturating_add);
     let cells = groups.saturating_mul(sweep.scenes.len());
     if cells > MOST_CELLS {

@@ -31,7 +31,7 @@ fn killed_at_any_moment_it_goes_on_and_loses_nothing() {
     let ordered = fs::read_to_string(&whole).unwrap();
     let lines: Vec<_> = ordered.split_inclusive('\n').collect();
     fs::write(&out, [lines[0], lines[3], lines[2], lines[1]].concat()).unwrap();
-    let beside = folder.join("out.csv.new");
+    let beside = folder.join(".out.csv.1.forage-new");
     fs::write(&beside, "scene,pla").unwrap();
     carry_out(&folder, &args[2..]);
     assert_eq!(fs::read(&out).unwrap(), fs::read(&whole).unwrap());

@@ -182,3 +182,55 @@ fn rows_without_digests_and_of_another_scene_are_refused_with_the_reason() {
     assert!(problem.contains("line 2: it does not fit its digest") && problem.contains("another scene"), "{problem}");
     assert_eq!(fs::read_to_string(&path).unwrap(), whole);
 }
+
+/// Rows that would be those of other runs if their columns were called otherwise.
+#[test]
+fn rows_of_a_plan_with_other_columns_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = |first: &str, second: &str| {
+        format!(
+            "scenes = ['sphere']\nseeds = [1, 2]\niterations = 1\n[[planner]]\nname = 'pso'\nparams = {{ population = 3, {first} = [1.5, 1], {second} = [1.5, 1] }}"
+        )
+    };
+    for name in ["rows.csv", "rows.jsonl"] {
+        let path = folder.path().join(name);
+        carry_out(&sweep(&plan("c1", "c2")), &path, None).unwrap();
+        let whole = fs::read(&path).unwrap();
+        for (first, second) in [("c2", "c1"), ("c1", "w")] {
+            assert!(carry_out(&sweep(&plan(first, second)), &path, None).is_err(), "{name} {first} {second}");
+            assert!(fs::read(&path).unwrap() == whole);
+        }
+    }
+}
+
+/// What only looks like rows, or what a loss of power might have left of them.
+#[test]
+fn files_of_others_are_neither_cut_nor_taken() {
+    let folder = tempfile::tempdir().unwrap();
+    let ours = sweep(PLAN);
+    for (name, bytes) in [
+        ("rows.csv", &b"\0binary of somebody"[..]),
+        ("rows.jsonl", b"{\"scene\":\"my own data\",\"x\":1}"),
+        ("rows.csv", b"my notes"),
+        ("rows.csv", b"x,y\n1,2\n3,4"),
+    ] {
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        assert!(carry_out(&ours, &path, None).is_err(), "{name}");
+        assert_eq!(fs::read(&path).unwrap(), bytes);
+        assert!(crate::sweep::Curves::open(&folder.path().join("c.csv"), Part::WHOLE, false).is_ok());
+        let kept = folder.path().join("c.csv.runs.csv");
+        fs::write(&kept, bytes).unwrap();
+        for fresh in [false, true] {
+            assert!(
+                crate::sweep::Curves::open(&folder.path().join("c.csv"), Part::WHOLE, fresh).is_err() || bytes.starts_with(b"x,y"),
+                "{name}"
+            );
+            assert_eq!(fs::read(&kept).unwrap(), bytes);
+        }
+        fs::remove_file(&kept).unwrap();
+    }
+    let zeros = folder.path().join("zeros.csv");
+    fs::write(&zeros, [0; 700]).unwrap();
+    carry_out(&ours, &zeros, None).unwrap();
+}

@@ -80,6 +80,12 @@ fn damaged_rows_are_mended_on_a_faulty_disk() {
         &|folder, told| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), None, told),
         &|folder| lines(&folder.join("rows.csv")),
     );
+    // Rows are compared and added by turns.
+    meets_every_fault(
+        &|folder| fs::write(folder.join("rows.csv"), &damaged).unwrap(),
+        &|folder, told| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), Some(&folder.join("curves.csv")), told),
+        &|folder| lines(&folder.join("rows.csv")).min(lines(&folder.join("curves.csv.runs.csv"))),
+    );
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use std::{fs::File, io, path::Path};
 
-use super::{Failure, Out, at};
+use super::{super::super::disk::clear_beside, Failure, Out, at, locked};
+use forage::kernel::Message;
 
 /// The file of the rows.
 #[derive(Debug)]
@@ -24,6 +25,20 @@ impl Handle {
         }
     }
 
+    /// Opens and locks a file. One that another program replaced between the two is opened again.
+    pub(super) fn open_locked(path: &Path) -> Result<(Self, Option<Message>), Failure> {
+        loop {
+            let handle = Self::open(path)?;
+            let note = locked(handle.file().try_lock(), path)?;
+            if is_still(handle.file(), path) {
+                if matches!(handle, Self::Writable(_)) {
+                    clear_beside(path);
+                }
+                return Ok((handle, note));
+            }
+        }
+    }
+
     pub(super) fn file(&self) -> &File {
         match self {
             Self::Writable(out) => out.file(),
@@ -38,4 +53,17 @@ impl Handle {
             Self::ReadOnly(_, kind) => Err((*kind).into()),
         }
     }
+}
+
+/// Whether a file is what its name leads to.
+#[cfg(unix)]
+fn is_still(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let number = |metadata: io::Result<std::fs::Metadata>| metadata.ok().map(|there| (there.dev(), there.ino()));
+    number(file.metadata()) == number(std::fs::metadata(path))
+}
+
+#[cfg(not(unix))]
+fn is_still(_: &File, _: &Path) -> bool {
+    true
 }

@@ -172,10 +172,15 @@ impl Kept<'_> {
 
     /// Whether a first line that was torn off is that of our rows.
     fn is_torn_beginning(&self, line: &[u8]) -> io::Result<bool> {
-        let beginning = self.format.beginning(self.sweep)?;
+        let beginnings = self.format.beginnings(self.sweep)?;
         // Where the power failed a disk may have zeros, which no text has.
-        let line = line.split(|&byte| byte == 0).next().unwrap_or_default();
-        Ok(beginning.starts_with(line) || self.format == Format::JsonLines && line.starts_with(&beginning))
+        let text = line.split(|&byte| byte == 0).next().unwrap_or_default();
+        if text.is_empty() {
+            return Ok(line.iter().all(|&byte| byte == 0));
+        }
+        Ok(beginnings
+            .iter()
+            .any(|beginning| beginning.starts_with(text) || self.format == Format::JsonLines && text.starts_with(beginning)))
     }
 
     /// Says what is wrong with a file of ours; that of somebody else is refused then.
