@@ -1,7 +1,7 @@
 //! All that this program writes goes through here: files that grow, files that are replaced at once, folders.
 //!
-//! What a test wants to know is what happens when the disk does not do as it is told: `faults` makes any of these calls fail,
-//! write only a part, be the last before the program or the machine dies.
+//! Tests inject faults: in `faults` any of these calls can fail, write only a part, or be the last one before the program or the machine
+//! dies.
 
 #[cfg(test)]
 pub(crate) mod faults;

@@ -1,4 +1,4 @@
-//! A disk that does not do as it is told.
+//! Faults of the disk, for tests.
 //!
 //! A test [`begin`]s with a fault at the n-th call and, when the program has come to its end or to the fault, [`end`]s it: after a
 //! loss of power what was not on the disk is gone, in part or as a whole.

@@ -381,7 +381,7 @@ impl<'a> Kept<'a> {
         let path = self.files[0].clone();
         self.file.out().map_err(at(&path))?;
         let mut new = Replacement::of(&path).map_err(at(&path))?;
-        // Whoever waits for the file finds it locked again.
+        // Another process that waits for the file finds the new one locked, too.
         locked(new.file().map_err(at(&path))?.try_lock(), new.beside())?;
         let (rows, end) = self.write_ordered(&mut new, least)?;
         self.file = Handle::Writable(new.commit().map_err(at(&path))?);

@@ -214,7 +214,7 @@ fn check_rows(sweep: &Sweep, kept: &Kept, pool: &rayon::ThreadPool, stop: &Atomi
     Ok(())
 }
 
-/// Carries out a share of the runs that are kept again, one at least, drawn anew each time: each must give the row that is there.
+/// Repeats a random share of the kept runs, at least one: each must give the same row again.
 fn verify_share(sweep: &Sweep, kept: &mut Kept, share: f64, pool: &rayon::ThreadPool, control: &Control) -> Result<(), Failure> {
     let mut jobs: Vec<usize> = kept.jobs().collect();
     let wanted = ((jobs.len() as f64 * share).ceil() as usize).max(1).min(jobs.len());

@@ -64,7 +64,7 @@ impl Kept<'_> {
         let path = self.files[number].clone();
         let file = if number == 0 { self.file.file().try_clone() } else { File::open(&path) }.map_err(at(&path))?;
         if number > 0 {
-            // Where there are no locks, that is told of the file itself.
+            // That there are no locks is noted when the file itself is opened.
             locked(file.try_lock_shared(), &path)?;
         }
         let found = self.scan(number, &path, file)?;
