@@ -1,4 +1,5 @@
 import { expect, type Page, test as base } from '@playwright/test'
+import { misbroken } from './support/lines'
 import { SITE } from './support/site'
 import { cut, HOME, HOSTED, type Read, read, type Spoken, type View, VIEWS } from './support/walk'
 
@@ -83,6 +84,9 @@ async function seen(page: Page, spoken: Spoken, view: View): Promise<void> {
     await page.setViewportSize({ width, height: 900 })
     // What is laid out by its size settles first.
     await softly.poll(() => cut(page), { message: `${view.name}: cut off at ${width} px`, timeout: 15_000 }).toEqual([])
+    await softly
+      .poll(() => misbroken(page), { message: `${view.name}: lines broken at a mark, at ${width} px`, timeout: 5_000 })
+      .toEqual([])
   }
 }
 
