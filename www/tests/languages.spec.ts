@@ -72,7 +72,7 @@ async function seen(page: Page, spoken: Spoken, view: View): Promise<void> {
   await page.setViewportSize({ width: WIDTHS[0] ?? 0, height: 900 })
   await view.open(page, spoken)
   expect(await page.evaluate(() => document.documentElement.lang)).toBe(spoken.tag)
-  expect((await read(page)).length).toBeGreaterThan(3)
+  await expect.poll(async () => (await read(page)).length).toBeGreaterThan(3)
   // What no first view has comes after it; nothing else does once all is there.
   const others = async () => {
     const found = (await read(page)).filter((text) => asWritten[spoken.tag]?.(text))
