@@ -266,10 +266,15 @@ pub fn number(path: String, found: &Value) -> Result<f64, Error> {
     found.as_f64().map(|number| number + 0.0).ok_or_else(|| Error::refused(path, shown(found), finite()))
 }
 
-/// The same for every number in a value that is kept as it is.
+/// The same for every number in a value that is kept as it is. Natively whole numbers of more than 2^53 become what they are in
+/// JavaScript.
 fn plus_zero(value: &mut Value) {
     match value {
         Value::Number(number) if number.as_f64() == Some(0.0) => *value = Value::from(0),
+        #[cfg(not(target_arch = "wasm32"))]
+        Value::Number(number) if !number.is_f64() && number.as_f64().is_some_and(|number| number.abs() >= 9_007_199_254_740_992.0) => {
+            *value = Value::from(number.as_f64());
+        }
         Value::Array(items) => items.iter_mut().for_each(plus_zero),
         Value::Object(fields) => fields.values_mut().for_each(plus_zero),
         _ => {}

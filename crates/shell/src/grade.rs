@@ -17,7 +17,7 @@ use forage::{
     Error, Link, Registry,
     kernel::message::in_english,
     message,
-    run::{Judgement, Task},
+    run::{Handed, Judgement, Task, handed_in},
 };
 use forage_study::spreadsheet;
 use serde::{Deserialize, Serialize};
@@ -34,13 +34,6 @@ use super::{
 
 /// So long is what is said of a link that could not be graded.
 const LONGEST_REASON: usize = 500;
-
-/// What was handed in: what stands before a link says whose it is.
-struct Handed<'a> {
-    line: usize,
-    name: &'a str,
-    link: &'a str,
-}
 
 /// A row of the result, in English. The first four say what a link is worth, the others what it is of.
 #[derive(Default, Serialize, Deserialize)]
@@ -67,7 +60,7 @@ pub(super) fn grade(args: &GradeArgs) -> failure::Outcome {
     let given = read(&args.task, LARGEST_SCENE)?;
     let task = task_of(args, &given)?;
     let text = read(&args.links, LARGEST_LIST)?;
-    let all: Vec<_> = text.lines().enumerate().filter_map(|(k, line)| handed(k + 1, line)).collect();
+    let all: Vec<_> = handed_in(&text).collect();
     if all.is_empty() {
         return Err(Failure::Refused(message!(
             "shell-no-link-to-grade",
@@ -89,20 +82,6 @@ fn task_of(args: &GradeArgs, text: &str) -> Result<Task, Failure> {
 fn read(path: &Path, limit: Limit) -> Result<String, Failure> {
     let bytes = files::read(path, limit)?;
     String::from_utf8(bytes).map_err(|_| Failure::no_text(path))
-}
-
-/// What a line has; nothing where it is empty or a comment.
-fn handed(line: usize, text: &str) -> Option<Handed<'_>> {
-    let text = text.trim();
-    if text.is_empty() || text.starts_with("# ") {
-        return None;
-    }
-    let Some(fragment) = text.find("#v=") else { return Some(Handed { line, name: "", link: text }) };
-    // An address has no spaces and no quotes; before it, commas and semicolons part it from a name.
-    let parts = |c: char| c.is_whitespace() || ['"', ',', ';'].contains(&c);
-    let begin = text[..fragment].rfind(parts).map_or(0, |at| at + 1);
-    let end = text[fragment..].find(|c: char| c.is_whitespace() || c == '"').map_or(text.len(), |at| fragment + at);
-    Some(Handed { line, name: text[..begin].trim_matches(|c| parts(c) || c == ':'), link: &text[begin..end] })
 }
 
 /// All of them, in their order; several at a time.
