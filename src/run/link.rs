@@ -99,7 +99,7 @@ impl Link {
                 "scene" => scene = Some((unpacked(registry, value)?, !value.starts_with(PACKED))),
                 "seed" => seed = limits::read_whole(key, value)?,
                 "at" => iteration = limits::read_whole(key, value)?,
-                "hash" => hash = Some(value.to_owned()),
+                "hash" => hash = Some(value.trim().to_owned()),
                 _ if key.starts_with("page.") => {}
                 _ => match key.strip_prefix("p.") {
                     Some(name) => params.insert(name, Value::from(value)),

@@ -61,6 +61,13 @@ describe('a lesson that is wrong', () => {
     ['has a field too many', (l) => (l.author = 'x'), 'author', '`author` is no field of this format'],
     ['has no steps', (l) => Object.assign(l, { steps: [] }), 'steps', '`steps` is []; it must be at least 1 long'],
     ['names a text that there is not', (l) => (l.title = 'x'), 'title', '`title` is "x"; `texts.en` has no text with this key'],
+    [
+      'names what every object has',
+      (l) => (l.notes = 'constructor'),
+      'notes',
+      '`notes` is "constructor"; `texts.en` has no text with this key',
+    ],
+    ['is in the language of every object', (l) => (l.language = 'constructor'), 'language', '`language` is "constructor"; `texts` has en'],
     ['has a text for nothing', (l) => (l.texts.en.idle = 'x'), 'texts.en.idle', '`texts.en.idle` is not used by the lesson'],
     ['has no texts in its language', (l) => (l.language = 'fr'), 'language', '`language` is "fr"; `texts` has en'],
     ['has an iteration below 0', (l) => (step(l, 1).at = -1), 'steps[1].at', '`steps[1].at` is -1; it must be at least 0'],

@@ -109,7 +109,10 @@ export function lessonOfDraft(draft: Draft): Lesson {
 /** Words in other languages that are still used. */
 const withKeys = (others: Lesson['texts'], texts: Readonly<Record<string, string>>): Lesson['texts'] =>
   Object.fromEntries(
-    Object.entries(others).map(([tag, words]) => [tag, Object.fromEntries(Object.entries(words).filter(([key]) => key in texts))]),
+    Object.entries(others).map(([tag, words]) => [
+      tag,
+      Object.fromEntries(Object.entries(words).filter(([key]) => Object.hasOwn(texts, key))),
+    ]),
   )
 
 function keyed(

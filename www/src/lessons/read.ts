@@ -95,11 +95,11 @@ function* keysOf(lesson: Lesson): Generator<[field: string, key: string]> {
 /** Each key has its text in the lesson's own language, and no text is there for nothing. */
 function checkTexts(lesson: Lesson): void {
   const { language, texts } = lesson
-  const own = texts[language]
+  const own = Object.hasOwn(texts, language) ? texts[language] : undefined
   if (!own) throw refuse('language', text.language(shown(language), Object.keys(texts)))
   const used = new Set<string>()
   for (const [field, key] of keysOf(lesson)) {
-    if (own[key] === undefined) throw refuse(field, text.noText(shown(key), language))
+    if (!Object.hasOwn(own, key)) throw refuse(field, text.noText(shown(key), language))
     used.add(key)
   }
   for (const [tag, known] of Object.entries(texts)) {
@@ -131,7 +131,7 @@ function checkNumbers({ numbers = {}, steps, texts }: Lesson): void {
   for (const [tag, known] of Object.entries(texts))
     for (const [key, words] of Object.entries(known))
       for (const [, name = ''] of words.replace(/\$[^$]*\$/g, '').matchAll(FIGURE)) {
-        if (!(name in numbers)) throw refuse(`texts.${tag}.${key}`, text.noNumber(name))
+        if (!Object.hasOwn(numbers, name)) throw refuse(`texts.${tag}.${key}`, text.noNumber(name))
         used.add(name)
       }
   for (const [name, number] of Object.entries(numbers)) {
