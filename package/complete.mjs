@@ -446,13 +446,14 @@ const description = {
   license: crate.license,
   keywords: crate.keywords,
   engines: { node: '>=20' },
-  // The element's script and the renderer are built with the page.
+  // The element's script and the renderer are built with the page, and what is in all of it is listed then.
   files: [
     ...new Set([
       ...readdirSync(folder).filter((file) => !['package.json', 'glue.d.ts'].includes(file)),
       'element.js',
       'render.js',
       'render',
+      'sbom.cdx.json',
     ]),
   ],
   main: './node.js',

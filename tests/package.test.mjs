@@ -47,15 +47,35 @@ test('it holds the parts of the module and nothing that users do not need', () =
   const files = all.filter((file) => !file.startsWith('node_modules/forage-lab/render/'))
   const parts = files.filter((file) => file.endsWith('.wasm') && !file.endsWith('interpreter.wasm')).length
   assert.ok(parts > 5)
-  // Of each part its code, its words and two entries; then the loader, sessions in threads, types, words, the catalogue, notices and
-  // licences, and for pages the element, what speaks with an embedded run and the renderer, with their types. For planners of one's own what registers and tests them, the
+  // Of each part its code, its words and two entries; then the loader, sessions in threads, types, words, the catalogue, notices,
+  // licences and what it holds of others, and for pages the element, what speaks with an embedded run and the renderer, with their types. For planners of one's own what registers and tests them, the
   // interpreter and its types; and the shipped scenes of four parts. Each other language has words of each part, all of them, and those of the catalogue.
   assert.ok(all.length > files.length)
   const languages = files.filter((file) => /locales\/[^/]+\.json$/.test(file)).length
   assert.equal(languages, tagsOf(fileURLToPath(new URL('../locales', import.meta.url))).length + 1)
-  assert.ok(files.length <= 4 * parts + 48 + (languages - 1) * (parts + 2), files.join('\n'))
-  for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'])
+  assert.ok(files.length <= 4 * parts + 49 + (languages - 1) * (parts + 2), files.join('\n'))
+  for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md', 'sbom.cdx.json'])
     assert.ok(files.includes(`node_modules/forage-lab/${file}`), file)
+})
+
+test('it lists what it holds of others', () => {
+  const { bomFormat, components } = JSON.parse(readFileSync(join(project, 'node_modules/forage-lab/sbom.cdx.json'), 'utf8'))
+  assert.equal(bomFormat, 'CycloneDX')
+  const listed = new Set(components.map(({ purl }) => purl))
+  assert.equal(listed.size, components.length)
+  // Those that are compiled into the wasm, by cargo itself.
+  const of = ['tree', '--locked', '--edges', 'normal,no-proc-macro', '--package', 'forage-lab-module', '--target', 'wasm32-unknown-unknown']
+  const crates = run('cargo', [...of, '--prefix', 'none', '--format', '{p}'], root)
+    .split('\n')
+    .flatMap((line) => (/^forage-lab|^$/.test(line) ? [] : [line.replace(/ \(.*/, '').replace(' v', '@')]))
+  assert.ok(crates.length > 30)
+  for (const crate of crates) assert.ok(listed.has(`pkg:cargo/${crate}`), crate)
+  for (const name of ['%40fluent/bundle', 'comlink', 'quickjs-emscripten-core'])
+    assert.ok(
+      [...listed].some((purl) => purl.startsWith(`pkg:npm/${name}@`)),
+      name,
+    )
+  for (const { purl, hashes, licenses } of components) assert.ok(hashes?.length && licenses?.length, purl)
 })
 
 test('an empty Node project imports it, with and without init', () => {
