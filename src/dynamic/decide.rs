@@ -6,7 +6,7 @@ use crate::{kernel::Message, math, message};
 
 use super::{
     body::{Done, Plan, Pose},
-    escape::{Escape, escape},
+    escape::{End, Escape, escape},
     journey::{Hold, Journey},
     route::{Ways, plan, steps},
     world::{Conflict, Distance},
@@ -130,7 +130,7 @@ impl Journey {
             }
             self.searches += 1;
             let found = escape(&self.view, distance, &self.pose, &self.ground);
-            if found.safe && self.evade(ways, &found, conflict) {
+            if found.end == End::Safe && self.evade(ways, &found, conflict) {
                 return;
             }
             last = Some(found);
@@ -313,11 +313,18 @@ impl Journey {
     /// Nothing is safe: what is so for longest.
     fn put_off(&mut self, ways: &mut Ways, found: &Escape, conflict: Conflict) {
         if !std::mem::replace(&mut self.cornered, true) {
-            let said = message!(
-                "drive-cornered",
-                "No safe motion from obstacle {obstacle} is found: what puts it off for longest.",
-                obstacle = conflict.obstacle + 1
-            );
+            let obstacle = conflict.obstacle + 1;
+            let said = match found.end {
+                End::GaveUp(states) => message!(
+                    "drive-gave-up",
+                    "The search for a safe motion from obstacle {obstacle} gave up after {states} states: what puts it off for longest.",
+                    obstacle,
+                    states
+                ),
+                End::Safe | End::Nothing => {
+                    message!("drive-cornered", "No motion is safe from obstacle {obstacle}: what puts it off for longest.", obstacle)
+                }
+            };
             self.tell("cornered", Some(conflict.obstacle), said);
         }
         self.follow(ways, found);

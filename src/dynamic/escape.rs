@@ -50,8 +50,19 @@ impl Ord for Cost {
 pub(super) struct Escape {
     /// From where the robot is; waits included.
     pub steps: Vec<Step>,
-    /// Nothing comes too near as far as it looks ahead (or up to the goal). Otherwise this is what puts it off longest.
-    pub safe: bool,
+    /// How the search ended.
+    pub end: End,
+}
+
+/// How a search ended. Unless its steps are safe, they are those that put a collision off for longest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    /// Nothing comes too near as far as it looks ahead, or up to the goal.
+    Safe,
+    /// Nothing that can be reached is safe.
+    Nothing,
+    /// It gave up after so many states.
+    GaveUp(usize),
 }
 
 /// The motion that keeps away from everything and promises to be at the goal first.
@@ -91,13 +102,13 @@ impl Search<'_> {
                 continue;
             }
             if node.time >= self.horizon || node.spot == ground.endpoints.goal {
-                return Escape { steps: self.steps(number), safe: true };
+                return Escape { steps: self.steps(number), end: End::Safe };
             }
             if node.time > self.nodes[longest].time {
                 longest = number;
             }
             if self.nodes.len() > MOST * FEW / (FEW + self.view.threats.len()) {
-                break;
+                return Escape { steps: self.steps(longest), end: End::GaveUp(self.nodes.len()) };
             }
             self.wait(number, pause);
             if node.spot == n {
@@ -110,7 +121,7 @@ impl Search<'_> {
                 (0..8).filter(|d| moves >> d & 1 != 0).for_each(|d| self.go(number, cells.next(node.spot, d)));
             }
         }
-        Escape { steps: self.steps(longest), safe: false }
+        Escape { steps: self.steps(longest), end: End::Nothing }
     }
 
     fn push(&mut self, node: Node) {

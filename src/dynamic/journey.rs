@@ -289,11 +289,26 @@ impl Journey {
                     self.tally.collisions += 1;
                     let time = start + after;
                     let place = [0, 1].map(|axis| stretch.at[axis] + (time - stretch.from) * stretch.velocity[axis]);
-                    let reason = collision(number + 1, stretch.deed == Deed::Go);
+                    let reason = collision(number + 1, stretch.deed == Deed::Go, &self.cause(number, time));
                     let iteration = self.iteration;
                     self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason });
                 }
             }
+        }
+    }
+
+    /// Why an obstacle touches it at a time: what was seen and found out before.
+    fn cause(&self, number: usize, time: f64) -> Message {
+        if !self.seen[number] {
+            return message!("drive-cause-unseen", "it had not come into the sensor’s reach");
+        }
+        let found_nothing = self.events.iter().rev().find(|event| event.kind == "cornered").filter(|_| self.cornered);
+        match found_nothing {
+            Some(event) => {
+                let seconds = time - event.time;
+                message!("drive-cause-cornered", "the robot had known no safe motion for {seconds:.1} s", seconds)
+            }
+            None => message!("drive-cause-turned", "the robot had expected it to go on as it went"),
         }
     }
 
@@ -359,11 +374,11 @@ impl Journey {
     }
 }
 
-/// That an obstacle, as people count them, touches the robot.
-fn collision(obstacle: usize, drove: bool) -> Message {
+/// That an obstacle, as people count them, touches the robot, and why.
+fn collision(obstacle: usize, drove: bool, cause: &Message) -> Message {
     if drove {
-        message!("drive-collision", "The robot and obstacle {obstacle} touch while the robot drove.", obstacle)
+        message!("drive-collision", "The robot and obstacle {obstacle} touch while the robot drove: {cause}.", obstacle, cause)
     } else {
-        message!("drive-collision-stood", "The robot and obstacle {obstacle} touch while the robot stood.", obstacle)
+        message!("drive-collision-stood", "The robot and obstacle {obstacle} touch while the robot stood: {cause}.", obstacle, cause)
     }
 }

@@ -147,7 +147,7 @@ events! {
     "evade", "drive-event-evade", "Evades", Tone::Decision, "Standing is not safe either: the robot gets out of the way.";
     "squeeze", "drive-event-squeeze", "Without margin", Tone::Warning, "Nothing keeps the margin: on as planned, which does not touch.";
     "cornered", "drive-event-cornered", "Cornered", Tone::Warning,
-        "No safe motion is found: the robot does what puts a collision off for longest.";
+        "No motion is safe, or the search for one gave up: the robot does what puts a collision off for longest.";
     "collision", "drive-event-collision", "Collision", Tone::Bad, "The robot and an obstacle touch.";
     "arrived", "drive-event-arrived", "Arrived", Tone::Good, "The robot is at the goal.";
 }

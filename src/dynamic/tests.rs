@@ -178,6 +178,8 @@ fn a_collision_that_cannot_be_avoided_is_told() {
         // It goes through the robot, and the robot arrives nevertheless: after a collision.
         assert!(event(&outcome, "arrived").reason.text().contains("after a collision"));
         let collision = event(&outcome, "collision");
+        assert!(collision.reason.text().contains("known no safe motion for"), "{}", collision.reason);
+        assert!(event(&outcome, "cornered").reason.text().contains("No motion is safe from obstacle 1"));
         let grid = scene.get::<GridScene>().unwrap();
         let [x, y] = grid.moving[0].at(collision.time, Border::Leave, grid.bounds());
         assert!((apart([x, y], collision.place) - 3.0).abs() < 1e-6, "told at the moment of contact");
@@ -351,6 +353,12 @@ fn every_drive_on_random_scenes_keeps_its_promises() {
                 "collision" => assert!(!known, "{planner}, {k}: {:?}", outcome.events),
                 _ => {}
             }
+        }
+        for event in outcome.events.iter().filter(|event| event.kind == "collision") {
+            let causes = ["come into the sensor", "known no safe motion for", "expected it to go on as it went"];
+            assert!(causes.iter().any(|cause| event.reason.text().contains(cause)), "{}", event.reason);
+            // What goes straight on goes as it went.
+            assert!(k % 3 == 2 || !event.reason.text().contains(causes[2]), "{planner}, {k}: {}", event.reason);
         }
         decided += usize::from(kinds(&outcome).contains(&"foreseen"));
         let (end, hash) = (run.iteration(), run.hash());

@@ -54,6 +54,10 @@ pub struct Outcome {
     /// The path's corners.
     #[cfg_attr(feature = "types", ts(optional))]
     pub path: Option<Vec<[f64; 2]>>,
+    /// When it was where, for a path that was driven: `[t, x, y]` at every change of its motion, in seconds. Between two of them it
+    /// went straight at constant speed, or stood still.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<[f64; 3]>>"))]
+    pub moments: Vec<[f64; 3]>,
     /// The corners of the tip's path, in metres. Arms only.
     #[cfg_attr(feature = "types", ts(optional))]
     pub tip_path: Option<Vec<[f64; 3]>>,
@@ -93,7 +97,7 @@ pub struct Outcome {
 /// The object that `forage run --json` prints and `outcome()` returns. What does not apply is left out.
 impl Serialize for Outcome {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut out = serializer.serialize_struct("Outcome", 29)?;
+        let mut out = serializer.serialize_struct("Outcome", 30)?;
         out.serialize_field("planner", &self.planner)?;
         out.serialize_field("scene", &self.scene)?;
         out.serialize_field("seed", &self.seed)?;
@@ -118,6 +122,9 @@ impl Serialize for Outcome {
         }
         if let Some(path) = &self.path {
             out.serialize_field("path", path)?;
+        }
+        if !self.moments.is_empty() {
+            out.serialize_field("moments", &self.moments)?;
         }
         if let Some(tip_path) = &self.tip_path {
             out.serialize_field("tip_path", tip_path)?;
@@ -210,6 +217,10 @@ impl Outcome {
             }
             _ => (None, Vec::new()),
         };
+        let moments = match best.as_ref().map(|best| &best.solution) {
+            Some(Solution::Drive(track)) => track.moments.clone(),
+            _ => Vec::new(),
+        };
         let (path, order, position) = match best.map(|best| best.solution) {
             Some(Solution::Path(path) | Solution::Drive(Track { path, .. })) => (Some(path), None, None),
             Some(Solution::Tour { path, order, .. }) => (Some(path), Some(order), None),
@@ -236,6 +247,7 @@ impl Outcome {
             turning: turned.map(geometry::turning),
             followed,
             path,
+            moments,
             tip_path,
             joints,
             order,

@@ -765,6 +765,11 @@ export type Outcome = {
   turning?: number
   /** The path's corners. */
   path?: Array<[number, number]>
+  /**
+   * When it was where, for a path that was driven: `[t, x, y]` at every change of its motion, in seconds. Between two of them it
+   * went straight at constant speed, or stood still.
+   */
+  moments?: Array<[number, number, number]>
   /** The corners of the tip's path, in metres. Arms only. */
   tip_path?: Array<[number, number, number]>
   /** The postures that were planned, in degrees, where the planner plans postures. */
