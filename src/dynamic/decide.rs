@@ -12,7 +12,7 @@ use super::{
     world::{Conflict, Distance},
 };
 
-/// How often a robot that waits looks for a way round, in seconds.
+/// How often a robot that waits looks for a way round, and one for which nothing was safe for something safe, in seconds.
 const RETRY: f64 = 0.5;
 
 /// It acts on what is foreseen within this share of its look-ahead, and takes only what is safe for all of it: otherwise it
@@ -56,6 +56,7 @@ impl Journey {
                 }
             }
             (Some(conflict), None) if conflict.time - self.now > ACT * self.ground.body.look_ahead => {}
+            (Some(_), None) if self.cornered && !self.looks_again() => {}
             (Some(conflict), None) => {
                 // Who is on the run looks for the best way out all the time: it is told once.
                 if !self.cornered && !self.evading {
@@ -64,6 +65,19 @@ impl Journey {
                 self.decide(ways, conflict);
             }
         }
+    }
+
+    /// Whether a robot for which nothing was safe looks for something safe: every now and then, and as soon as it overlaps nothing any
+    /// more.
+    fn looks_again(&mut self) -> bool {
+        let (overlaps, waited) = (self.view.overlaps(), self.now >= self.again);
+        let parted = self.again == f64::INFINITY && !overlaps;
+        if overlaps {
+            self.again = f64::INFINITY;
+        } else if waited || parted {
+            self.again = self.now + RETRY;
+        }
+        !overlaps && (waited || parted)
     }
 
     fn calm(&mut self) {
@@ -313,6 +327,7 @@ impl Journey {
     /// Nothing is safe: what is so for longest.
     fn put_off(&mut self, ways: &mut Ways, found: &Escape, conflict: Conflict) {
         if !std::mem::replace(&mut self.cornered, true) {
+            self.again = if self.view.overlaps() { f64::INFINITY } else { self.now + RETRY };
             let obstacle = conflict.obstacle + 1;
             let said = match found.end {
                 End::GaveUp(states) => message!(

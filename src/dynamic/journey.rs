@@ -67,6 +67,10 @@ pub(super) struct Journey {
     /// It was said already that nothing is safe; that it gets out of the way.
     pub cornered: bool,
     pub evading: bool,
+    /// Where nothing is safe: when it looks for something safe again; infinite while it overlaps something. Not in the hash, so that the
+    /// links of runs where it plays no part stay as they are.
+    #[state(skip)]
+    pub again: f64,
     /// Of each obstacle: whether it was seen, whether it touches.
     seen: Vec<bool>,
     touching: Vec<bool>,
@@ -110,6 +114,7 @@ impl Journey {
             distance: Distance::Margin,
             cornered: false,
             evading: false,
+            again: 0.0,
             seen: vec![false; n],
             touching: vec![false; n],
             velocity: [0.0; 2],
@@ -303,12 +308,11 @@ impl Journey {
             return message!("drive-cause-unseen", "it had not come into the sensor’s reach");
         }
         let found_nothing = self.events.iter().rev().find(|event| event.kind == "cornered").filter(|_| self.cornered);
-        match found_nothing {
-            Some(event) => {
-                let seconds = time - event.time;
-                message!("drive-cause-cornered", "the robot had known no safe motion for {seconds:.1} s", seconds)
-            }
-            None => message!("drive-cause-turned", "the robot had expected it to go on as it went"),
+        if let Some(event) = found_nothing {
+            let seconds = time - event.time;
+            message!("drive-cause-cornered", "the robot had known no safe motion for {seconds:.1} s", seconds)
+        } else {
+            message!("drive-cause-turned", "the robot had expected it to go on as it went")
         }
     }
 

@@ -186,6 +186,28 @@ fn a_collision_that_cannot_be_avoided_is_told() {
     }
 }
 
+/// Where nothing is safe it does not search in every period: twice a second, and not at all while something lies over it.
+#[test]
+fn a_robot_for_which_nothing_is_safe_searches_now_and_then() {
+    let rows = ["##########", "..........", "##########"];
+    let scene = scene(&rows, [[1.0, 3.0], [19.0, 3.0]], r#"{"center": [14, 3], "radius": 2, "velocity": [-1, 0]}"#);
+    for planner in DRIVES {
+        let mut run = start(planner, &scene, &[], 1);
+        let mut searched = Vec::new();
+        while run.status() == Status::Running {
+            let (before, cornered) = (run.evaluations(), run.events().iter().any(|event| event.kind == "cornered"));
+            run.step(1);
+            if cornered && run.evaluations() > before {
+                searched.push(reading(&run.outcome(), "time"));
+            }
+        }
+        let outcome = run.outcome();
+        let [touched, past] = ["collision", "go-on"].map(|kind| event(&outcome, kind).time);
+        assert!(searched.len() > 5 && searched.windows(2).all(|pair| pair[1] - pair[0] > 0.5 - 1e-9), "{planner}: {searched:?}");
+        assert!(past > touched + 2.0 && !searched.iter().any(|&time| touched + 0.1 < time && time < past), "{planner}: {searched:?}");
+    }
+}
+
 /// From a point off its cell's middle to another: each stub is a leg with a heading of its own, and turns into it count.
 #[test]
 fn ends_off_the_middle_of_their_cells_keep_the_time() {

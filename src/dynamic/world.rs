@@ -74,6 +74,11 @@ impl View {
         }
     }
 
+    /// Whether the robot overlaps something that it sees: then no motion is safe.
+    pub fn overlaps(&self) -> bool {
+        self.threats.iter().any(|threat| threat.distance < threat.keep[1])
+    }
+
     /// The first time that a motion comes too near to something, before `horizon`.
     pub fn conflict(&self, stretches: &[Stretch], distance: Distance, horizon: f64, grid: &GridScene, body: &Body) -> Option<Conflict> {
         stretches.iter().take_while(|stretch| stretch.from <= horizon).find_map(|stretch| {
