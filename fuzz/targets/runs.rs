@@ -67,7 +67,7 @@ pub fn operate(drawn: &mut Unstructured) -> Result<()> {
                 assert_eq!(run.readings().iter().count(), run.readings().iter().count());
             }
             10 => {
-                // Whoever opens its link sees this state.
+                // Its link opens this state.
                 if let Some(link) = run.link() {
                     let mut other = Run::from_link(standard(), &link).unwrap_or_else(|error| panic!("{error}: {link}"));
                     other.seek(run.iteration());
@@ -179,9 +179,9 @@ fn inspect(drawn: &mut Unstructured, run: &mut Run) -> Result<()> {
         return Ok(());
     }
     let item = Item { layer: drawn.choose(&layers)?.key, index: usize::from(drawn.arbitrary::<u8>()?) };
-    if let Some(told) = run.inspect(item) {
-        assert!(!told.summary.text().is_empty());
-        let names: Vec<_> = told.suppositions.iter().map(|label| label.name).collect();
+    if let Some(explained) = run.inspect(item) {
+        assert!(!explained.summary.text().is_empty());
+        let names: Vec<_> = explained.suppositions.iter().map(|label| label.name).collect();
         if !names.is_empty() {
             let name = *drawn.choose(&names)?;
             let supposed = run.suppose(item, name, u64::from(drawn.arbitrary::<u8>()?));

@@ -12,7 +12,7 @@ use super::{
     world::{Conflict, Distance},
 };
 
-/// How often a robot that waits looks for a way round, and one for which nothing was safe for something safe, in seconds.
+/// Seconds between two searches: for a way round while the robot waits, for a safe motion where none was found.
 const RETRY: f64 = 0.5;
 
 /// It acts on what is foreseen within this share of its look-ahead, and takes only what is safe for all of it: otherwise it
@@ -38,7 +38,7 @@ impl Journey {
         match (self.conflict(self.distance), self.hold) {
             (None, None) => self.calm(),
             (None, Some(hold)) => {
-                (self.hold, self.cornered, self.evading) = (None, false, false);
+                (self.hold, self.cornered, self.evading) = (None, None, false);
                 let waited = self.now - hold.since;
                 let said = message!("drive-clear", "The way is clear as far as it looks ahead: on after {waited:.1} s.", waited);
                 self.tell("go-on", Some(hold.obstacle), said);
@@ -56,10 +56,10 @@ impl Journey {
                 }
             }
             (Some(conflict), None) if conflict.time - self.now > ACT * self.ground.body.look_ahead => {}
-            (Some(_), None) if self.cornered && !self.looks_again() => {}
+            (Some(_), None) if !self.may_search() => {}
             (Some(conflict), None) => {
                 // Who is on the run looks for the best way out all the time: it is told once.
-                if !self.cornered && !self.evading {
+                if self.cornered.is_none() && !self.evading {
                     self.foresee(conflict);
                 }
                 self.decide(ways, conflict);
@@ -67,25 +67,27 @@ impl Journey {
         }
     }
 
-    /// Whether a robot for which nothing was safe looks for something safe: every now and then, and as soon as it overlaps nothing any
-    /// more.
-    fn looks_again(&mut self) -> bool {
-        let (overlaps, waited) = (self.view.overlaps(), self.now >= self.again);
-        let parted = self.again == f64::INFINITY && !overlaps;
-        if overlaps {
-            self.again = f64::INFINITY;
-        } else if waited || parted {
-            self.again = self.now + RETRY;
+    /// Whether it searches in this period: where no safe motion was found only now and then, not while it overlaps something, and at once
+    /// when it does so no longer.
+    fn may_search(&mut self) -> bool {
+        let Some(due) = self.cornered else { return true };
+        if self.view.overlaps() {
+            self.cornered = Some(f64::INFINITY);
+            return false;
         }
-        !overlaps && (waited || parted)
+        let searches = self.now >= due || due == f64::INFINITY;
+        if searches {
+            self.cornered = Some(self.now + RETRY);
+        }
+        searches
     }
 
     fn calm(&mut self) {
-        if self.cornered {
+        if self.cornered.is_some() {
             let said = message!("drive-clear-again", "What it means to do is clear again as far as it looks ahead.");
             self.tell("go-on", None, said);
         }
-        (self.cornered, self.evading) = (false, false);
+        (self.cornered, self.evading) = (None, false);
     }
 
     fn foresee(&mut self, conflict: Conflict) {
@@ -310,7 +312,7 @@ impl Journey {
     fn evade(&mut self, ways: &mut Ways, found: &Escape, conflict: Conflict) -> bool {
         let taken = self.follow(ways, found);
         if taken {
-            self.cornered = false;
+            self.cornered = None;
             if !std::mem::replace(&mut self.evading, true) {
                 self.tally.escapes += 1;
                 let said = message!(
@@ -326,19 +328,21 @@ impl Journey {
 
     /// Nothing is safe: what is so for longest.
     fn put_off(&mut self, ways: &mut Ways, found: &Escape, conflict: Conflict) {
-        if !std::mem::replace(&mut self.cornered, true) {
-            self.again = if self.view.overlaps() { f64::INFINITY } else { self.now + RETRY };
+        if self.cornered.is_none() {
+            self.cornered = Some(if self.view.overlaps() { f64::INFINITY } else { self.now + RETRY });
             let obstacle = conflict.obstacle + 1;
             let said = match found.end {
                 End::GaveUp(states) => message!(
                     "drive-gave-up",
-                    "The search for a safe motion from obstacle {obstacle} gave up after {states} states: what puts it off for longest.",
+                    "The search for a safe motion gave up at its limit of {states} states: the robot takes the motion that delays a collision with obstacle {obstacle} longest.",
                     obstacle,
                     states
                 ),
-                End::Safe | End::Nothing => {
-                    message!("drive-cornered", "No motion is safe from obstacle {obstacle}: what puts it off for longest.", obstacle)
-                }
+                End::Safe | End::Nothing => message!(
+                    "drive-cornered",
+                    "No safe motion was found: the robot takes the one that delays a collision with obstacle {obstacle} longest.",
+                    obstacle
+                ),
             };
             self.tell("cornered", Some(conflict.obstacle), said);
         }

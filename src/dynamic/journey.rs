@@ -64,13 +64,10 @@ pub(super) struct Journey {
     pub hold: Option<Hold>,
     /// What it keeps away by now.
     pub distance: Distance,
-    /// It was said already that nothing is safe; that it gets out of the way.
-    pub cornered: bool,
+    /// Where no safe motion was found, which was said then: when it searches again. Infinite while it overlaps something.
+    pub cornered: Option<f64>,
+    /// It was said already that it gets out of the way.
     pub evading: bool,
-    /// Where nothing is safe: when it looks for something safe again; infinite while it overlaps something. Not in the hash, so that the
-    /// links of runs where it plays no part stay as they are.
-    #[state(skip)]
-    pub again: f64,
     /// Of each obstacle: whether it was seen, whether it touches.
     seen: Vec<bool>,
     touching: Vec<bool>,
@@ -112,9 +109,8 @@ impl Journey {
             arrived: false,
             hold: None,
             distance: Distance::Margin,
-            cornered: false,
+            cornered: None,
             evading: false,
-            again: 0.0,
             seen: vec![false; n],
             touching: vec![false; n],
             velocity: [0.0; 2],
@@ -302,17 +298,19 @@ impl Journey {
         }
     }
 
-    /// Why an obstacle touches it at a time: what was seen and found out before.
+    /// Why an obstacle touches it at a time: what the robot had seen and found out when it last looked.
     fn cause(&self, number: usize, time: f64) -> Message {
-        if !self.seen[number] {
-            return message!("drive-cause-unseen", "it had not come into the sensor’s reach");
-        }
-        let found_nothing = self.events.iter().rev().find(|event| event.kind == "cornered").filter(|_| self.cornered);
-        if let Some(event) = found_nothing {
-            let seconds = time - event.time;
-            message!("drive-cause-cornered", "the robot had known no safe motion for {seconds:.1} s", seconds)
+        let ground = &self.ground;
+        let searched = self.events.iter().rfind(|event| event.kind == "cornered").filter(|_| self.cornered.is_some());
+        let velocity_at = |time: f64| ground.grid.moving[number].leg(time, ground.body.border, ground.grid.bounds()).velocity;
+        if let Some(event) = searched {
+            message!("drive-cause-cornered", "no safe motion had been found for {seconds:.1} s", seconds = time - event.time)
+        } else if !self.view.threats.iter().any(|threat| threat.number == number) {
+            message!("drive-cause-unseen", "the obstacle was not within sensor range when the robot last looked")
+        } else if velocity_at(self.now) != velocity_at(time) {
+            message!("drive-cause-turned", "the obstacle’s velocity had changed since the robot last looked")
         } else {
-            message!("drive-cause-turned", "the robot had expected it to go on as it went")
+            message!("drive-cause-period", "the robot looks and decides only every {period:.2} s", period = ground.period)
         }
     }
 

@@ -147,7 +147,7 @@ events! {
     "evade", "drive-event-evade", "Evades", Tone::Decision, "Standing is not safe either: the robot gets out of the way.";
     "squeeze", "drive-event-squeeze", "Without margin", Tone::Warning, "Nothing keeps the margin: on as planned, which does not touch.";
     "cornered", "drive-event-cornered", "Cornered", Tone::Warning,
-        "No motion is safe, or the search for one gave up: the robot does what puts a collision off for longest.";
+        "No safe motion was found, or the search gave up at its limit: the robot takes the motion that delays a collision longest.";
     "collision", "drive-event-collision", "Collision", Tone::Bad, "The robot and an obstacle touch.";
     "arrived", "drive-event-arrived", "Arrived", Tone::Good, "The robot is at the goal.";
 }

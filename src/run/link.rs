@@ -223,6 +223,12 @@ mod tests {
     }
 
     #[test]
+    fn a_hash_has_no_spaces_about_it() {
+        let text = "#v=1&planner=wcpso&hash= 00ff\u{c}&scene=wcpso-discs";
+        assert_eq!(Link::parse(standard(), text).unwrap().hash.as_deref(), Some("00ff"));
+    }
+
+    #[test]
     fn a_shipped_scene_goes_by_name_and_an_edited_one_as_a_whole() {
         let plain = link(shipped("wcpso-discs").unwrap(), true);
         assert_eq!(plain.to_string(), "#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.penalty=waypoints&p.w_max=0.8&at=120&hash=00ff");

@@ -17,6 +17,16 @@ fn refused(from: &str, to: &str) -> [String; 3] {
 }
 
 #[test]
+fn kept_numbers_are_those_that_javascript_reads() {
+    let text =
+        shipped("wcpso-discs").unwrap().to_json().replacen("\"exact\": {", "\"exact\": {\"large\": 144142135623730951, \"small\": 7, ", 1);
+    let scene = standard().read_scene(&text).unwrap();
+    let kept = scene.header().exact.as_ref().unwrap();
+    assert_eq!((&kept["large"], &kept["small"]), (&serde_json::json!(144_142_135_623_730_951_i64 as f64), &serde_json::json!(7)));
+    assert_eq!(standard().read_scene(&scene.to_json()).unwrap(), scene);
+}
+
+#[test]
 fn every_refusal_names_the_field_what_it_holds_and_what_is_allowed() {
     for (from, to, expected) in [
         ("forage-scene", "other", ["format", "\"other\"", "\"forage-scene\""]),

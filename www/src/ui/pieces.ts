@@ -4,11 +4,11 @@ import { type FigureToken, hrefOf, type MathToken, plain } from './markdown'
 /** What a line of text is made of, in the order in which it is read. */
 export type Piece =
   | { kind: 'text'; text: string }
-  | { kind: 'strong'; tokens: Token[] }
-  | { kind: 'em'; tokens: Token[] }
+  | { kind: 'strong'; pieces: Piece[] }
+  | { kind: 'em'; pieces: Piece[] }
   | { kind: 'code'; text: string }
   | { kind: 'br' }
-  | { kind: 'link'; href: string; tokens: Token[] }
+  | { kind: 'link'; href: string; pieces: Piece[] }
   | ({ kind: 'box' } & Box)
 
 /**
@@ -19,7 +19,7 @@ export interface Box {
   shown:
     | { as: 'math'; tex: string }
     | { as: 'figure'; name: string; raw: string }
-    | { as: 'layer'; role: string; tokens: Token[] }
+    | { as: 'layer'; role: string; pieces: Piece[] }
     | { as: 'term'; term: string; text: string }
   /** Opening marks just before it. */
   before: string
@@ -50,7 +50,7 @@ function pieceOf(token: Token, rules: Rules): Piece[] {
   switch (token.type) {
     case 'strong':
     case 'em':
-      return [{ kind: token.type, tokens: inner(token) }]
+      return [{ kind: token.type, pieces: piecesOf(inner(token), rules) }]
     case 'codespan':
       return [{ kind: 'code', text: wordsOf(token) }]
     case 'math':
@@ -61,13 +61,13 @@ function pieceOf(token: Token, rules: Rules): Piece[] {
       return [{ kind: 'br' }]
     case 'link': {
       const { href } = token as Tokens.Link
+      // What leads somewhere as a whole has no terms in it.
+      const within = (): Piece[] => piecesOf(inner(token), { ...rules, terms: undefined })
       if (rules.layer !== undefined && href.startsWith(rules.layer)) {
-        return [box({ as: 'layer', role: href.slice(rules.layer.length), tokens: inner(token) })]
+        return [box({ as: 'layer', role: href.slice(rules.layer.length), pieces: within() })]
       }
       const address = hrefOf(href)
-      return address === null
-        ? inner(token).flatMap((each) => pieceOf(each, rules))
-        : [{ kind: 'link', href: address, tokens: inner(token) }]
+      return address === null ? inner(token).flatMap((each) => pieceOf(each, rules)) : [{ kind: 'link', href: address, pieces: within() }]
     }
     default: {
       if (inner(token).length > 0) return inner(token).flatMap((each) => pieceOf(each, rules))
@@ -78,19 +78,33 @@ function pieceOf(token: Token, rules: Rules): Piece[] {
   }
 }
 
-/** A line's pieces: marks stand with the box that they follow or precede. */
+/** The box that a piece ends with, or begins with; in bold text, too. */
+function boxOf(piece: Piece | undefined, at: 0 | -1): Extract<Piece, { kind: 'box' }> | undefined {
+  if (piece?.kind === 'box') return piece
+  return piece && 'pieces' in piece ? boxOf(piece.pieces.at(at), at) : undefined
+}
+
+/** A line's pieces: marks are part of the box that they follow or precede. */
 export function piecesOf(tokens: readonly Token[], rules: Rules): Piece[] {
-  const pieces = tokens.flatMap((token) => pieceOf(token, rules))
+  const pieces: Piece[] = []
+  for (const piece of tokens.flatMap((token) => pieceOf(token, rules))) {
+    if (piece.kind === 'text' && piece.text === '') continue
+    const last = pieces.at(-1)
+    if (piece.kind === 'text' && last?.kind === 'text') last.text += piece.text
+    else pieces.push(piece)
+  }
   pieces.forEach((piece, at) => {
-    if (piece.kind !== 'box') return
     const [before, behind] = [pieces[at - 1], pieces[at + 1]]
-    if (before?.kind === 'text') {
-      piece.before = OPENING.exec(before.text)?.[0] ?? ''
-      before.text = before.text.slice(0, before.text.length - piece.before.length)
+    const [first, last] = [boxOf(piece, 0), boxOf(piece, -1)]
+    if (first && before?.kind === 'text') {
+      const marks = OPENING.exec(before.text)?.[0] ?? ''
+      first.before = marks + first.before
+      before.text = before.text.slice(0, before.text.length - marks.length)
     }
-    if (behind?.kind === 'text') {
-      piece.behind = CLOSING.exec(behind.text)?.[0] ?? ''
-      behind.text = behind.text.slice(piece.behind.length)
+    if (last && behind?.kind === 'text') {
+      const marks = CLOSING.exec(behind.text)?.[0] ?? ''
+      last.behind += marks
+      behind.text = behind.text.slice(marks.length)
     }
   })
   return pieces

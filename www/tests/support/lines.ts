@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test'
 /** Lines that begin with a mark that closes something, or end with one that opens something: no language breaks its lines there. */
 export const misbroken = (page: Page): Promise<string[]> =>
   page.evaluate(() => {
-    const CLOSING = /^[)\]}）】」』》〉、。，：；！？”’…,.:;!?]/
+    const CLOSING = /^[)\]}）】」』》〉、。，：；！？”’…—～·%,.:;!?]/
     const OPENING = /[([{（【「『《〈“‘]$/
     const found: string[] = []
     const visible = (node: Node): boolean => {
@@ -31,7 +31,7 @@ export const misbroken = (page: Page): Promise<string[]> =>
       const [text, left] = [node.textContent ?? '', before?.textContent ?? '']
       if (!before || !left || blockOf(node) !== blockOf(before) || !(CLOSING.test(text) || OPENING.test(left))) continue
       const [last, first] = [rectOf(before, left.length - 1, left.length), rectOf(node, 0, 1)]
-      // Below, and not beside.
+      // In the next line.
       if (last && first && first.width > 0 && first.top >= last.bottom - 2 && first.left < last.left)
         found.push(`${left.slice(-20)}|${text.slice(0, 20)}`)
     }
