@@ -51,7 +51,7 @@ const PSEUDOCODE: &[&str] = &[
     "  each of the @ants@ ants goes from the start, cell by cell:",
     "    it takes a step with probability $\\propto \\tau^\\alpha \\eta^\\beta$, with $\\alpha$ = @alpha@ and $\\beta$ = @beta@",
     "    it enters no cell twice",
-    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  ants at the goal: @arrived@, in a dead end: @stuck@",
     "  pheromone evaporates: $\\tau \\leftarrow (1 - \\rho) \\tau$, with $\\rho$ = @rho@",
     "  each ant that arrived lays $Q / L$ on its steps, with $Q$ = @q@",
     "  the shortest path so far has length @length@",

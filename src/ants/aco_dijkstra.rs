@@ -58,7 +58,7 @@ const PSEUDOCODE: &[&str] = &[
     "    with probability $q_0$ = @q0@ it takes the best step, otherwise it draws one",
     "    it enters no cell twice",
     "    a step’s weight is $\\tau^\\alpha \\eta^\\beta$, with $\\alpha$ = @alpha@ and $\\beta$ = @beta@",
-    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  ants at the goal: @arrived@, in a dead end: @stuck@",
     "  pheromone evaporates, with $\\rho$ = @rho@; each ant that arrived lays $Q / L$",
     "  the shortest path so far has length @length@",
 ];

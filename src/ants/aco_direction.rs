@@ -141,7 +141,7 @@ const PSEUDOCODE: &[&str] = &[
     "    probability $\\propto \\tau^\\alpha \\eta^\\beta \\psi^\\gamma$, with $\\alpha$ = @alpha@, $\\beta$ = @beta@, $\\gamma$ = @gamma@",
     "    it enters no cell twice",
     "    $\\psi$ is the larger, the less it turns and the nearer it keeps to the goal’s direction",
-    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  ants at the goal: @arrived@, in a dead end: @stuck@",
     "  pheromone evaporates, with $\\rho$ = @rho@",
     "  each ant that arrived lays $Q / L$, more on ways below the median, less on others",
     "  the shortest path so far has length @length@",

@@ -125,7 +125,7 @@ const PSEUDOCODE: &[&str] = &[
     "    it takes a step with probability $\\propto \\tau^\\alpha \\eta^\\beta$, with $\\alpha$ = @alpha@ and $\\beta$ = @beta@",
     "    it enters no cell twice",
     "    $\\eta$ ranks the neighbours by their distance to the goal",
-    "  @arrived@ ants arrived at the goal, @stuck@ came into a dead end",
+    "  ants at the goal: @arrived@, in a dead end: @stuck@",
     "  pheromone evaporates, with $\\rho$ = @rho@; each ant that arrived lays $Q / L$",
     "  the iteration’s best way gets $Q / L$ once more for each of its ants, its worst way nothing",
     "  the shortest path so far has length @length@",

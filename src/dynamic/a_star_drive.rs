@@ -107,8 +107,8 @@ const PSEUDOCODE: &[&str] = &[
     "  for each obstacle in sight: when will it be nearest if both go on, and how near?",
     "  too near within @look_ahead@ s:",
     "    search a new way round its predicted range from scratch, or wait",
-    "  @replans@ new paths, @waits@ waits so far",
-    "after @time@ s: driven @length@, closest @smallest_distance@, @collisions@ collisions",
+    "  so far: new paths @replans@, waits @waits@",
+    "after @time@ s: driven @length@, closest @smallest_distance@, collisions @collisions@",
 ];
 
 /// See the module.

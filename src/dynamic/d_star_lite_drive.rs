@@ -60,8 +60,8 @@ const PSEUDOCODE: &[&str] = &[
     "  for each obstacle in sight: when will it be nearest if both go on, and how near?",
     "  too near within @look_ahead@ s:",
     "    repair the search where its predicted range changes it, or wait",
-    "  @replans@ new paths, @waits@ waits so far",
-    "after @time@ s: driven @length@, closest @smallest_distance@, @collisions@ collisions",
+    "  so far: new paths @replans@, waits @waits@",
+    "after @time@ s: driven @length@, closest @smallest_distance@, collisions @collisions@",
 ];
 
 /// See the module.

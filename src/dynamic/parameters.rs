@@ -5,7 +5,7 @@ use crate::{
     kernel::{Border, Message, SceneKindId},
     message,
     params::{Choice, Param, ParamValue, Parameter},
-    scene::GRID,
+    scene::{GRID, Robot},
 };
 
 /// The kinds of scene that a robot drives on.
@@ -48,43 +48,56 @@ pub(super) const GIVEN: Param<bool> = Param::choice(
     &[false, true],
     "What the robot can do. Published: 20 px/s and 1 s a turn.",
 );
-const fn given(name: &'static str, symbol: &'static str, title: &'static str, range: [f64; 3], help: &'static str) -> Param<f64> {
-    Param::number(name, symbol, title, range, help).when(GIVEN, "given")
+/// What a scene’s robot may have, too.
+const fn given(
+    name: &'static str,
+    symbol: &'static str,
+    title: &'static str,
+    range: [f64; 2],
+    usual: f64,
+    help: &'static str,
+) -> Param<f64> {
+    Param::number(name, symbol, title, [range[0], range[1], usual], help).when(GIVEN, "given")
 }
 pub(super) const ROBOT_RADIUS: Param<f64> = given(
     "robot_radius",
     "R",
     "Robot’s radius",
-    [0.0, 0.5, 0.5],
+    Robot::LENGTHS,
+    0.5,
     "The robot is a disc for moving obstacles, in cells; of half a cell’s radius it touches no wall as it goes from cell to cell. The paper’s is a point, and nothing would ever be foreseen in its case.",
-);
+)
+.slider(0.0, 0.5, false);
 pub(super) const MARGIN: Param<f64> = given(
     "margin",
     "m",
     "Safety margin",
-    [0.0, 1000.0, 0.5],
+    Robot::LENGTHS,
+    0.5,
     "How far obstacles are kept from the robot’s rim, in cells; given up only where nothing keeps it.",
 )
 .slider(0.0, 3.0, false);
 pub(super) const SPEED: Param<f64> =
-    given("speed", "v", "Speed", [1e-3, 1000.0, 1.0], "How far the robot goes, in cells a second. Published: 20 px, a cell.")
+    given("speed", "v", "Speed", Robot::SPEEDS, 1.0, "How far the robot goes, in cells a second. Published: 20 px, a cell.")
         .slider(0.1, 10.0, true);
 pub(super) const TURN_TIME: Param<f64> = given(
     "turn_time",
     "t_t",
     "Time of a turn",
-    [0.0, 1000.0, 1.0],
+    Robot::TIMES,
+    1.0,
     "Seconds that a turn takes, by however much; the robot stands meanwhile. Published: 1.",
 )
 .slider(0.0, 5.0, false);
 pub(super) const SENSOR: Param<f64> =
-    given("sensor", "r_s", "Sensor", [0.0, 1e6, 8.0], "How far the robot sees the rim of an obstacle, in cells. Walls do not hide it.")
+    given("sensor", "r_s", "Sensor", Robot::LENGTHS, 8.0, "How far the robot sees the rim of an obstacle, in cells. Walls do not hide it.")
         .slider(0.0, 30.0, false);
 pub(super) const LOOK_AHEAD: Param<f64> = given(
     "look_ahead",
     "t_a",
     "Look-ahead",
-    [0.0, 1000.0, 6.0],
+    Robot::TIMES,
+    6.0,
     "How many seconds ahead the robot foresees: it expects what it sees to go on as it goes.",
 )
 .slider(0.0, 30.0, false);

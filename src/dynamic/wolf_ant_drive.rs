@@ -164,8 +164,8 @@ const PSEUDOCODE: &[&str] = &[
     "  for each obstacle in sight: when will it be nearest if both go on, and how near?",
     "  too near within @look_ahead@ s:",
     "    follow the pheromone round its predicted range, or replan, or wait",
-    "  @detours@ detours, @replans@ new paths, @waits@ waits so far",
-    "after @time@ s: driven @length@, closest @smallest_distance@, @collisions@ collisions",
+    "  so far: detours @detours@, new paths @replans@, waits @waits@",
+    "after @time@ s: driven @length@, closest @smallest_distance@, collisions @collisions@",
 ];
 
 /// See the module.

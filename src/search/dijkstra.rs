@@ -24,10 +24,10 @@ const PSEUDOCODE: &[&str] = &[
     "$g(\\text{start}) = 0$; only the start is open",
     "repeat until the goal is closed:",
     "  take the open cell with the least $g$; the next has $g$ = @f@",
-    "  close it: @expanded@ cells were closed",
+    "  close it; closed cells: @expanded@",
     "  for each free neighbour that it reaches by a shorter way:",
     "    set $g$ and the parent, and open the neighbour",
-    "  @frontier@ cells are open",
+    "  open cells: @frontier@",
     "follow the parents back from the goal: length @length@",
 ];
 

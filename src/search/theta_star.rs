@@ -24,11 +24,11 @@ const PSEUDOCODE: &[&str] = &[
     "$g(\\text{start}) = 0$; only the start is open",
     "repeat until the goal is closed:",
     "  take the open cell $s$ with the least $f = g + h$; the next has $f$ = @f@",
-    "  close it: @expanded@ cells were closed",
+    "  close it; closed cells: @expanded@",
     "  for each free neighbour:",
     "    if the parent of $s$ sees it: that is the parent to try, otherwise $s$",
     "    if the way over it is shorter: set $g$ and the parent, and open the neighbour",
-    "  @frontier@ cells are open",
+    "  open cells: @frontier@",
     "follow the parents back from the goal: length @length@",
 ];
 

@@ -99,7 +99,7 @@ const PSEUDOCODE: &[&str] = &[
     "begin at a random stop; always go on to the nearest one that is left",
     "repeat until no move makes the tour shorter:",
     "  reverse a stretch (2-opt), or carry one elsewhere (Or-opt)",
-    "  @moves@ moves were made; the last saved @gain@",
+    "  moves: @moves@; the last saved @gain@",
     "the tour has length @best@",
 ];
 

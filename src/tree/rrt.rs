@@ -42,7 +42,7 @@ const PSEUDOCODE: &[&str] = &[
     "  draw a random point $x_{\\text{rand}}$; with probability @goal_bias@ it is the goal",
     "  the node nearest to it takes a step of @step_size@ toward it",
     "  if that is free: it becomes a node; otherwise it is rejected",
-    "  @nodes@ nodes, @rejected@ steps rejected, @to_goal@ to go",
+    "  nodes: @nodes@, rejected steps: @rejected@, to go: @to_goal@",
     "follow the parents back from the goal: length @final_length@",
 ];
 

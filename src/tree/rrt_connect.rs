@@ -42,7 +42,7 @@ const PSEUDOCODE: &[&str] = &[
     "  draw a random point; the nearest node of one tree takes a step of @step_size@ toward it",
     "  if that is free: the other tree goes straight for the new node, as far as it can",
     "  the trees change places",
-    "  @nodes@ nodes, @rejected@ steps rejected",
+    "  nodes: @nodes@, rejected steps: @rejected@",
     "follow both trees from where they meet: length @final_length@",
 ];
 

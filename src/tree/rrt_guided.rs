@@ -88,7 +88,7 @@ const PSEUDOCODE: &[&str] = &[
     "  draw @samples@ random points, and keep @keep@ that lie toward the goal",
     "  a roulette wheel chooses one; the node nearest to the goal takes a step of @step_size@ toward it",
     "  if that is blocked: try the others kept, then a step of a basic tree",
-    "  @nodes@ nodes, @rejected@ steps rejected, @to_goal@ to go",
+    "  nodes: @nodes@, rejected steps: @rejected@, to go: @to_goal@",
     "follow the parents back from the goal: length @final_length@",
 ];
 

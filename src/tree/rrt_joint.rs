@@ -35,7 +35,7 @@ const PSEUDOCODE: &[&str] = &[
     "  draw random joint angles; the nearest posture of one tree turns by @step_size@ rad toward them",
     "  if no link touches anything on the way: the other tree turns straight toward it",
     "  the trees change places",
-    "  @nodes@ postures, @rejected@ rejected",
+    "  postures: @nodes@, rejected: @rejected@",
     "follow both trees from where they meet: the tip’s path is @final_length@ long",
 ];
 

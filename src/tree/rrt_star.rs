@@ -42,7 +42,7 @@ const PSEUDOCODE: &[&str] = &[
     "  the nearest node takes a step of @step_size@ toward it",
     "  if that is free: the new node takes the parent with the shortest way",
     "    neighbours to which the way over it is shorter take it as parent",
-    "  @nodes@ nodes, @rejected@ steps rejected",
+    "  nodes: @nodes@, rejected steps: @rejected@",
     "  the shortest path so far has length @best@",
 ];
 

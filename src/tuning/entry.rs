@@ -26,7 +26,7 @@ const PSEUDOCODE: &[&str] = &[
     "  for each particle:",
     "    @seeds@ runs of the colony with @colony_iterations@ iterations: the mean length is its cost",
     "    $v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)$, then $x \\leftarrow x + v$",
-    "  @runs@ runs of the colony so far; the best mean length is @best@",
+    "  runs of the colony so far: @runs@; the best mean length is @best@",
 ];
 
 /// See the module.

@@ -1,5 +1,5 @@
 import { expect, type Page, test as base } from '@playwright/test'
-import { misbroken } from './support/lines'
+import { brokenWords, misbroken } from './support/lines'
 import { SITE } from './support/site'
 import { cut, HOME, HOSTED, type Read, read, type Spoken, type View, VIEWS } from './support/walk'
 
@@ -87,6 +87,9 @@ async function seen(page: Page, spoken: Spoken, view: View): Promise<void> {
     await softly
       .poll(() => misbroken(page), { message: `${view.name}: lines broken at a mark, at ${width} px`, timeout: 5_000 })
       .toEqual([])
+    // Words with accents are longer than any.
+    if (spoken !== ACCENTED)
+      await softly.poll(() => brokenWords(page), { message: `${view.name}: words broken at ${width} px`, timeout: 5_000 }).toEqual([])
   }
 }
 

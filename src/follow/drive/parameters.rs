@@ -22,12 +22,15 @@ pub const PARAMETERS: &[Parameter] = &[
     GEAR.entry(),
 ];
 
+/// Any speed and length of a scene's robot, in the scene's unit: its cells' sides are 1e-6 to 1e6.
+const ANY: [f64; 2] = [1e-18, 1e18];
+
 /// How fast it drives at most.
 pub const SPEED: Param<f64> = Param::number(
     "speed",
     "v_{\\max}",
     "Top speed",
-    [0.001, 1000.0, 0.24],
+    [ANY[0], ANY[1], 0.24],
     "How fast the robot drives at most, a second. Published: 0.24 m/s; a scene’s robot may say otherwise.",
 )
 .slider(0.02, 2.0, true);
@@ -46,17 +49,17 @@ pub(super) const LOOK_AHEAD: Param<f64> = Param::number(
     "look_ahead",
     "L_d",
     "Look-ahead distance",
-    [0.001, 1000.0, 0.35],
+    [ANY[0], ANY[1], 0.35],
     "How far ahead the point lies that the robot steers for. Shorter keeps closer to the path, longer goes faster round \
          corners. It must be well more than the way of one period. The paper gives none; 0.35 m is a little less than its \
          robot’s length.",
 )
 .slider(0.1, 2.0, true);
 pub(super) const WHEEL_RADIUS: Param<f64> =
-    Param::number("wheel_radius", "R", "Wheel radius", [0.001, 1000.0, 0.068], "Of the driven wheels. Published: 0.068 m.")
+    Param::number("wheel_radius", "R", "Wheel radius", [ANY[0], ANY[1], 0.068], "Of the driven wheels. Published: 0.068 m.")
         .slider(0.02, 0.2, false);
 pub(super) const WHEEL_DISTANCE: Param<f64> =
-    Param::number("wheel_distance", "b", "Wheel distance", [0.001, 1000.0, 0.3], "Between the driven wheels. Published: 0.3 m.")
+    Param::number("wheel_distance", "b", "Wheel distance", [ANY[0], ANY[1], 0.3], "Between the driven wheels. Published: 0.3 m.")
         .slider(0.1, 1.0, false);
 pub(super) const PULSES: Param<u64> =
     Param::integer("pulses", "n_p", "Encoder pulses", [1, 100_000, 16], "Pulses a turn of the motor. Published: 16.")

@@ -56,6 +56,14 @@ pub struct Robot {
 }
 
 impl Robot {
+    /// What its radius, its margin and its sensor range may be, in cells. They and the next two hold for scenes and for the parameters of
+    /// drives: what one takes, the other takes.
+    pub const LENGTHS: [f64; 2] = [0.0, 1e12];
+    /// What its speed may be, in cells per second.
+    pub const SPEEDS: [f64; 2] = [1e-12, 1e12];
+    /// What its turn-in-place time and its prediction horizon may be, in seconds.
+    pub const TIMES: [f64; 2] = [0.0, LARGEST];
+
     /// The fields by name.
     pub fn fields(&self) -> [(&'static str, Option<f64>); 8] {
         let Self { length, width, speed, turn_time, sensor, disc, margin, look_ahead } = *self;
@@ -268,13 +276,19 @@ impl GridScene {
         };
         for (name, value) in robot.fields().into_iter().filter_map(|(name, value)| value.map(|value| (name, value))) {
             let field = format!("robot.{name}");
-            if matches!(name, "turn_time" | "margin") {
-                finite(&field, value)?;
-                if !(0.0..=LARGEST).contains(&value) {
-                    return Err(Error::refused(field, value, from_to(0.0, LARGEST)));
+            let in_cells = |range: [f64; 2]| range.map(|end| end * self.cell);
+            let [least, most] = match name {
+                "length" | "width" => {
+                    positive(&field, value)?;
+                    continue;
                 }
-            } else {
-                positive(&field, value)?;
+                "turn_time" | "look_ahead" => Robot::TIMES,
+                "speed" => in_cells(Robot::SPEEDS),
+                _ => in_cells(Robot::LENGTHS),
+            };
+            finite(&field, value)?;
+            if !(least..=most).contains(&value) {
+                return Err(Error::refused(field, value, from_to(least, most)));
             }
         }
         match (robot.length, robot.width) {

@@ -37,3 +37,25 @@ export const misbroken = (page: Page): Promise<string[]> =>
     }
     return found
   })
+
+/** Words that a line's end breaks where no hyphen says so. */
+export const brokenWords = (page: Page): Promise<string[]> =>
+  page.evaluate(() => {
+    const found: string[] = []
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT)
+    const range = document.createRange()
+    const lines = (): number => new Set([...range.getClientRects()].filter(({ width }) => width > 0).map(({ top }) => Math.round(top))).size
+    for (let node = texts.nextNode(); node; node = texts.nextNode()) {
+      const text = node.textContent ?? ''
+      const element = node.parentElement
+      if (!element?.checkVisibility() || element.closest('svg, canvas, .cm-editor, option, pre, code, .katex, .visually-hidden')) continue
+      range.selectNodeContents(node)
+      if (lines() < 2 || getComputedStyle(element).hyphens === 'auto') continue
+      for (const { 0: word, index } of text.matchAll(/\p{Script=Latin}{2,}/gu)) {
+        range.setStart(node, index)
+        range.setEnd(node, index + word.length)
+        if (lines() > 1) found.push(`${word} of ${text.slice(Math.max(index - 20, 0), index + 40)}`)
+      }
+    }
+    return found
+  })
