@@ -1,8 +1,7 @@
 // Random calls of the JavaScript face, with sense and without: whatever comes in, a call returns or throws an error that says
-// what is wrong, and what is alive goes on. And random runs, natively and here: the same hash, or the same refusal.
-//   node tests/fuzz.mjs [--seed N] [--calls N | --seconds N] [--runs N]
+// what is wrong, and what is alive goes on.
+//   node tests/fuzz.mjs [--seed N] [--calls N | --seconds N]
 import assert from 'node:assert/strict'
-import { spawnSync } from 'node:child_process'
 import { parseArgs } from 'node:util'
 
 // Node has no canvas; what the face makes for one can be held all the same.
@@ -91,9 +90,10 @@ function parametersOf(random, planner, plain) {
 }
 
 /** A planner on a scene, nearly always one that it takes; `plain`: shipped scenes and no spoiled part, as a command line can say it. */
-function setupOf(random, plain = false) {
+export function setupOf(random, plain = false) {
   const planner = random.one(planners)
-  const suited = scenes.filter(({ kind }) => planner.kinds.includes(kind))
+  const stops = (scene) => scene.kind === 'tour' || (scene.stops ?? []).length > 0
+  const suited = scenes.filter((scene) => planner.kinds.includes(scene.kind) && (!plain || stops(scene) === planner.stops))
   const scene = random.one(random.chance(0.95) ? suited : scenes)
   const params = parametersOf(random, planner, plain)
   // Colonies and swarms take so long for roads between stops that few of the calls would be others.
@@ -347,59 +347,10 @@ export function callFace({ seed, calls = Number.POSITIVE_INFINITY, seconds = Num
   return { made, refused, again }
 }
 
-/** So many random runs, natively and here: the same end or the same refusal. Returns how many ran and how many were refused. */
-export function compareRuns({ seed, runs, program }) {
-  const random = stream(seed)
-  let refused = 0
-  for (let k = 0; k < runs; k++) {
-    const { planner, scene, params, seed: number } = setupOf(random, true)
-    const plain = Object.entries(params).filter(([, value]) => ['number', 'string', 'boolean'].includes(typeof value))
-    const setup = { planner, scene, params: Object.fromEntries(plain), seed: number }
-    const args = [
-      'run',
-      planner,
-      '--scene',
-      scene,
-      '--seed',
-      `${number}`,
-      '--json',
-      ...plain.flatMap(([name, value]) => ['--set', `${name}=${value}`]),
-    ]
-    const { status, stdout, stderr } = spawnSync(program, args, { encoding: 'utf8', maxBuffer: 1e9 })
-    const here = call(
-      () => `seed ${seed}, run ${k}: ${shown(setup)}`,
-      () => {
-        const session = new Session(setup)
-        // In parts, where the native run is taken in whole steps.
-        while (['running', 'partly'].includes(session.advance(1000)));
-        const hash = session.hash()
-        session.free()
-        return hash
-      },
-    )
-    const where = `seed ${seed}, run ${k}: forage ${args.join(' ')}`
-    assert.ok(status === 0 || status === 1 || status === 2, `${where}\n${stderr}`)
-    if (here.error) {
-      refused += 1
-      assert.equal(status, 2, `${where}\nhere: ${here.error.message}`)
-      // The shell says it in its own words: names it did not find with the nearest one, values with what is allowed, and not all of a long text.
-      const { code, field, value, allowed } = here.error
-      const missing = value === 'nothing' ? 'missing' : value
-      for (const part of code === 'refused' ? [field, missing, allowed] : [value])
-        assert.ok(stderr.includes(part.slice(0, 60)), `${where}\nhere: ${here.error.message}\nnatively: ${stderr}`)
-    } else {
-      assert.notEqual(status, 2, `${where}\nnatively: ${stderr}`)
-      assert.equal(here.value, JSON.parse(stdout).hash, where)
-    }
-  }
-  return { runs, refused }
-}
-
 if (import.meta.filename === process.argv[1]) {
   const number = { type: 'string' }
-  const { values } = parseArgs({ options: { seed: number, calls: number, seconds: number, runs: number } })
+  const { values } = parseArgs({ options: { seed: number, calls: number, seconds: number } })
   const seed = Number(values.seed ?? 1)
   const most = values.seconds ? { seconds: Number(values.seconds) } : { calls: Number(values.calls ?? 200_000) }
   console.log(callFace({ seed, ...most }))
-  if (values.runs) console.log(compareRuns({ seed, runs: Number(values.runs), program: process.env.FORAGE ?? 'forage' }))
 }
