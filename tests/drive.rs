@@ -198,7 +198,7 @@ fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
     assert_eq!(drive.parameters()[SPEED], 0.24);
     assert_eq!(drive.extra(), [("outline", Extra::Named(vec![("length", 0.4), ("width", 0.3)]))]);
     for (name, value, allowed) in [
-        ("speed", "0", "a number from 0.001 to 1000"),
+        ("speed", "0", "a number from 0.000000001 to 1000000000"),
         ("gear", "1.5", "a whole number from 1 to 10000"),
         ("period", "fast", "a number from 0.01 to 2"),
         ("turn_rate", "NaN", "a number from 0.001 to 10"),

@@ -113,7 +113,7 @@ const ACCEPTED = [
   ['discs', (s) => (s.discs = [])],
   ['grid', (s) => Object.assign(s, { y_axis: 'up', corner_cutting: null, robot: null, moving: [], stops: [] })],
   ['grid', (s) => Object.assign(s, { corner_cutting: true, robot: { turn_time: 0, margin: 0, sensor: 3, radius: 0.5, look_ahead: 4 } })],
-  ['grid', (s) => (s.robot = { speed: 1e12, turn_time: 1e6, margin: 1e12, sensor: 0, radius: 0, look_ahead: 0 })],
+  ['grid', (s) => (s.robot = { speed: 1e9, turn_time: 1e6, margin: 1e9, sensor: 0, radius: 0, look_ahead: 0 })],
   ['stops', (s) => (s.start = [0.5, 0.5])],
   ['tour', (s) => Object.assign(s, { metric: 'att', closed: false, exact: { length: null, order: null } })],
   ['tour', (s) => Object.assign(s, { closed: null, exact: 7 })],

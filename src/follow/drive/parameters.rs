@@ -3,6 +3,7 @@
 use crate::{
     describe::{Column, Formula},
     params::{Param, Parameter},
+    scene::Robot,
 };
 
 /// Everything that can be set. The figures are those of the paper’s robot, in metres and seconds; look-ahead excepted.
@@ -22,8 +23,8 @@ pub const PARAMETERS: &[Parameter] = &[
     GEAR.entry(),
 ];
 
-/// Any speed and length of a scene's robot, in the scene's unit: its cells' sides are 1e-6 to 1e6.
-const ANY: [f64; 2] = [1e-18, 1e18];
+/// Any speed of a scene's robot, and lengths to go with it.
+const ANY: [f64; 2] = Robot::SPEEDS;
 
 /// How fast it drives at most.
 pub const SPEED: Param<f64> = Param::number(

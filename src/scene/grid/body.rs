@@ -56,11 +56,11 @@ pub struct Robot {
 }
 
 impl Robot {
-    /// What its radius, its margin and its sensor range may be, in cells. They and the next two hold for scenes and for the parameters of
-    /// drives: what one takes, the other takes.
-    pub const LENGTHS: [f64; 2] = [0.0, 1e12];
+    /// What its margin and its sensor range may be, and its radius as far as it fits, in cells. These and the next two hold for scenes and
+    /// for the parameters of drives: what one takes, the other takes.
+    pub const LENGTHS: [f64; 2] = [0.0, 1e9];
     /// What its speed may be, in cells per second.
-    pub const SPEEDS: [f64; 2] = [1e-12, 1e12];
+    pub const SPEEDS: [f64; 2] = [1e-9, 1e9];
     /// What its turn-in-place time and its prediction horizon may be, in seconds.
     pub const TIMES: [f64; 2] = [0.0, LARGEST];
 

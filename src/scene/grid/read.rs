@@ -269,13 +269,13 @@ mod tests {
             assert_eq!([field.as_str(), value, &allowed], [&path, expected[1], expected[2]]);
         }
         for (from, to, expected) in [
-            ("\"speed\": 2", "\"speed\": 0", ["speed", "0", size]),
-            ("\"sensor\": 3", "\"sensor\": -3", ["sensor", "-3", size]),
-            ("\"radius\": 0.75", "\"radius\": 0", ["radius", "0", size]),
+            ("\"speed\": 2", "\"speed\": 0", ["speed", "0", "from 0.000000001 to 1000000000"]),
+            ("\"sensor\": 3", "\"sensor\": -3", ["sensor", "-3", "from 0 to 1000000000"]),
+            ("\"radius\": 0.75", "\"radius\": -1", ["radius", "-1", "from 0 to 1000000000"]),
             ("\"radius\": 0.75", "\"radius\": \"big\"", ["radius", "\"big\"", "a finite number"]),
-            ("\"margin\": 0", "\"margin\": -1", ["margin", "-1", "from 0 to 1000000"]),
+            ("\"margin\": 0", "\"margin\": -1", ["margin", "-1", "from 0 to 1000000000"]),
             ("\"turn_time\": 0", "\"turn_time\": 1e7", ["turn_time", "10000000", "from 0 to 1000000"]),
-            ("\"look_ahead\": 8", "\"look_ahead\": 1e7", ["look_ahead", "10000000", size]),
+            ("\"look_ahead\": 8", "\"look_ahead\": 1e7", ["look_ahead", "10000000", "from 0 to 1000000"]),
             ("\"look_ahead\": 8", "\"look_ahead\": null", ["look_ahead", "nothing", "a finite number"]),
             ("\"width\": 0.25, ", "", ["width", "nothing", "a width, as there is a length"]),
             (
