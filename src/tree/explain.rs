@@ -7,7 +7,7 @@ use crate::{
 };
 
 use super::{
-    grow::{By, Extension, Sample, SampleOutcome, Source},
+    grow::{Birth, By, Sample, SampleOutcome, Source},
     method::Seen,
     vector::distance,
 };
@@ -35,6 +35,7 @@ impl SampleOutcome {
             Self::Outside => "leads outside",
             Self::Blocked => "blocked",
             Self::DoublesBack => "doubles back",
+            Self::Unreachable => "no posture",
         }
     }
 
@@ -48,6 +49,7 @@ impl SampleOutcome {
             Self::Outside => message!("tree-row-outside", "{i}: leads outside", i),
             Self::Blocked => message!("tree-row-blocked", "{i}: blocked", i),
             Self::DoublesBack => message!("tree-row-doubles-back", "{i}: doubles back", i),
+            Self::Unreachable => message!("tree-row-unreachable", "{i}: no posture", i),
         }
     }
 
@@ -68,17 +70,113 @@ impl SampleOutcome {
             Self::DoublesBack => {
                 message!("tree-sample-doubles-back", "The new node would have been nearer to another node than to its parent.")
             }
+            Self::Unreachable => {
+                message!("tree-sample-unreachable", "The arm has no posture with which it would get there without touching anything.")
+            }
         }
     }
 }
 
+/// A sample of the last extension, without its coordinates.
+struct Drawn {
+    place: [f64; 3],
+    /// Its distances from the node that was to grow, and from the goal.
+    far: f64,
+    to_goal: f64,
+    angle: f64,
+    share: f64,
+    outcome: SampleOutcome,
+}
+
+/// Nodes by their tree and number, without their coordinates.
+trait Nodes {
+    /// Where one is drawn.
+    fn place(&self, tree: usize, node: usize) -> [f64; 3];
+    /// The length of the way from the root, and where that leads.
+    fn way(&self, tree: usize, node: usize) -> (f64, Vec<[f64; 3]>);
+}
+
+impl<const N: usize> Nodes for Seen<'_, N> {
+    fn place(&self, tree: usize, node: usize) -> [f64; 3] {
+        self.task.space.place(&self.forest.trees[tree].points[node])
+    }
+
+    fn way(&self, tree: usize, node: usize) -> (f64, Vec<[f64; 3]>) {
+        let tree = &self.forest.trees[tree];
+        (tree.costs[node], tree.path_to(node).iter().map(|point| self.task.space.place(point)).collect())
+    }
+}
+
+/// What is explained, in any number of dimensions: the code is there once.
+struct Told<'a> {
+    nodes: &'a dyn Nodes,
+    births: &'a [Birth],
+    iteration: u64,
+    dimensions: usize,
+    step: f64,
+    goal: [f64; 3],
+    last: Summary,
+    samples: Vec<Drawn>,
+}
+
+/// The last extension.
+#[derive(Clone, Copy)]
+struct Summary {
+    source: Source,
+    tree: usize,
+    near: usize,
+    fell_back: bool,
+    rewired: usize,
+}
+
 impl<const N: usize> Seen<'_, N> {
+    fn told(&self) -> Told<'_> {
+        let (forest, task, last) = (self.forest, self.task, &self.forest.last);
+        let goal = task.goal();
+        // Nothing was drawn before there is a node.
+        let near = forest.trees[last.tree].points.get(last.near).copied().unwrap_or(goal);
+        let samples = last.samples.iter().map(|&Sample { point, angle, share, outcome }| Drawn {
+            place: task.space.place(&point),
+            far: distance(&near, &point),
+            to_goal: distance(&goal, &point),
+            angle,
+            share,
+            outcome,
+        });
+        Told {
+            nodes: self,
+            births: &forest.births,
+            iteration: forest.iteration,
+            dimensions: task.space.dimensions(),
+            step: task.step,
+            goal: task.space.place(&goal),
+            last: Summary { source: last.source, tree: last.tree, near: last.near, fell_back: last.fell_back, rewired: last.rewired },
+            samples: samples.collect(),
+        }
+    }
+
     /// What can be said from the present state: of samples of the last extension, and of a root.
     pub(super) fn explain(&self, item: Item) -> Option<Inspection> {
+        self.told().explain(item)
+    }
+
+    /// How the newest node came about: the state is that after the step.
+    pub(super) fn tell_birth(&self, item: Item) -> Option<Inspection> {
+        self.told().tell_birth(item)
+    }
+
+    /// What would have grown instead of a node: the first of those from `index` on, if there is one.
+    pub(super) fn tell_supposed(&self, item: Item, index: usize) -> Inspection {
+        self.told().tell_supposed(item, index)
+    }
+}
+
+impl Told<'_> {
+    fn explain(&self, item: Item) -> Option<Inspection> {
         match item.layer {
             layer if layer == layers::SAMPLES.key => self.tell_sample(item),
-            layer if layer == layers::NODES.key && self.forest.births.get(item.index)?.iteration == 0 => {
-                let birth = self.forest.births[item.index];
+            layer if layer == layers::NODES.key && self.births.get(item.index)?.iteration == 0 => {
+                let birth = self.births[item.index];
                 let mut told = self.node(item)?;
                 told.event = "root";
                 told.summary = if birth.tree == 0 {
@@ -92,13 +190,12 @@ impl<const N: usize> Seen<'_, N> {
         }
     }
 
-    /// How the newest node came about: the state is that after the step.
-    pub(super) fn tell_birth(&self, item: Item) -> Option<Inspection> {
-        let birth = *self.forest.births.get(item.index).filter(|_| item.layer == layers::NODES.key)?;
-        if u64::from(birth.iteration) != self.forest.iteration {
+    fn tell_birth(&self, item: Item) -> Option<Inspection> {
+        let birth = *self.births.get(item.index).filter(|_| item.layer == layers::NODES.key)?;
+        if u64::from(birth.iteration) != self.iteration {
             return None;
         }
-        let (last, tree) = (&self.forest.last, &self.forest.trees[usize::from(birth.tree)]);
+        let last = self.last;
         let mut told = self.node(item)?;
         told.event = match last.source {
             Source::Guided(_) if last.fell_back => "random step",
@@ -108,25 +205,23 @@ impl<const N: usize> Seen<'_, N> {
             Source::Other => "towards the other tree",
             Source::Uniform => "random",
         };
-        told.summary = summary(last);
-        let near = tree.points[last.near];
-        let from = self.task.space.place(&near);
+        told.summary = self.summary();
+        let from = self.nodes.place(usize::from(birth.tree), last.near);
         let to = told.marks.iter().find(|mark| mark.layer == layers::AFTER.key).map(|mark| mark.vertices[0]);
         told.marks.push(Mark {
             layer: layers::STEP.key,
             shape: Shape::Segments,
             vertices: to.into_iter().flat_map(|to| [from, to]).collect(),
         });
-        if let Some(sample) = last.samples.iter().find(|sample| sample.outcome == SampleOutcome::Taken) {
-            self.tell_taken(sample, &near, &mut told);
+        if let Some(sample) = self.samples.iter().find(|sample| sample.outcome == SampleOutcome::Taken) {
+            self.tell_taken(sample, &mut told);
         }
-        self.table(&near, &mut told);
+        self.table(from, &mut told);
         told.suppositions = vec![label!("tree-other-random-numbers", "random", "x_{\\text{rand}}", "with other random numbers")];
         Some(told)
     }
 
-    /// What would have grown instead of a node: the first of those from `index` on, if there is one.
-    pub(super) fn tell_supposed(&self, item: Item, index: usize) -> Inspection {
+    fn tell_supposed(&self, item: Item, index: usize) -> Inspection {
         let Some(mut told) = self.tell_birth(Item { index, ..item }) else {
             let title = message!("tree-node", "Node {i}", i = item.index + 1);
             return Inspection::new(item, title, "nothing", message!("tree-supposed-nothing", "Nothing would have grown."));
@@ -141,24 +236,23 @@ impl<const N: usize> Seen<'_, N> {
 
     /// A node's name, numbers and way.
     fn node(&self, item: Item) -> Option<Inspection> {
-        let birth = *self.forest.births.get(item.index)?;
-        let (tree, node) = (&self.forest.trees[usize::from(birth.tree)], birth.node as usize);
-        let place = |point: &[f64; N]| self.task.space.place(point);
-        let at = place(&tree.points[node]);
-        let mut values = vec![label!("tree-way", "cost", "g", "way from the root").is(tree.costs[node])];
-        values.extend(PLACE.iter().zip(at).take(self.task.space.dimensions()).map(|(label, at)| label.is(at)));
-        let way = tree.path_to(node).iter().map(place).collect();
+        let birth = *self.births.get(item.index)?;
+        let (tree, node) = (usize::from(birth.tree), birth.node as usize);
+        let at = self.nodes.place(tree, node);
+        let (cost, way) = self.nodes.way(tree, node);
+        let mut values = vec![label!("tree-way", "cost", "g", "way from the root").is(cost)];
+        values.extend(PLACE.iter().zip(at).take(self.dimensions).map(|(label, at)| label.is(at)));
         let mut marks = vec![Mark { layer: layers::WAY.key, shape: Shape::Polyline, vertices: way }];
         marks.push(Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![at] });
         let title = message!("tree-node", "Node {i}", i = item.index + 1);
         Some(Inspection { values, marks, ..Inspection::new(item, title, "node", Message::default()) })
     }
 
-    fn tell_taken(&self, sample: &Sample<N>, near: &[f64; N], told: &mut Inspection) {
+    fn tell_taken(&self, sample: &Drawn, told: &mut Inspection) {
         told.values.extend([
             label!("tree-sample-distance", "far", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "from the node to the sample")
-                .is(distance(near, &sample.point)),
-            label!("tree-step-size", "step", "L", "step size").is(self.task.step),
+                .is(sample.far),
+            label!("tree-step-size", "step", "L", "step size").is(self.step),
         ]);
         told.formulas.push("extend");
         if sample.angle.is_finite() {
@@ -166,10 +260,8 @@ impl<const N: usize> Seen<'_, N> {
                 label!("tree-goal-angle", "angle", "\\varphi", "angle with the goal’s direction").is(sample.angle),
                 label!("tree-share", "share", "p", "share of the roulette wheel").is(sample.share),
             ]);
-            if self.forest.last.source == Source::Guided(By::Distance) {
-                told.values.push(
-                    label!("tree-goal-distance", "to_goal", "d", "distance to the goal").is(distance(&self.task.goal(), &sample.point)),
-                );
+            if self.last.source == Source::Guided(By::Distance) {
+                told.values.push(label!("tree-goal-distance", "to_goal", "d", "distance to the goal").is(sample.to_goal));
                 told.formulas.push("roulette-distance");
             } else {
                 told.formulas.extend(["angle", "roulette"]);
@@ -177,31 +269,27 @@ impl<const N: usize> Seen<'_, N> {
         }
     }
 
-    /// The samples of the last extension, and where they are.
-    fn table(&self, near: &[f64; N], told: &mut Inspection) {
-        let last = &self.forest.last;
-        let place = |point: &[f64; N]| self.task.space.place(point);
-        if let Source::Guided(by) = last.source {
+    /// The samples of the last extension, and where they are, from the node that was to grow.
+    fn table(&self, from: [f64; 3], told: &mut Inspection) {
+        if let Source::Guided(by) = self.last.source {
             told.columns = vec![if by == By::Angle { ANGLE } else { TO_GOAL }];
             told.columns.extend(COLUMNS);
-            let goal = self.task.goal();
-            for (i, sample) in last.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
+            for (i, sample) in self.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
                 told.labels.push(sample.outcome.row(i + 1));
-                let key = if by == By::Angle { sample.angle.to_degrees() } else { distance(&goal, &sample.point) };
-                told.rows.push(vec![key, sample.share, distance(near, &sample.point)]);
+                let key = if by == By::Angle { sample.angle.to_degrees() } else { sample.to_goal };
+                told.rows.push(vec![key, sample.share, sample.far]);
             }
         }
-        let from = place(near);
         told.marks.push(Mark { layer: layers::BEFORE.key, shape: Shape::Points, vertices: vec![from] });
-        if matches!(last.source, Source::Guided(_)) {
-            told.marks.push(Mark { layer: layers::TO_GOAL.key, shape: Shape::Segments, vertices: vec![from, place(&self.task.goal())] });
+        if matches!(self.last.source, Source::Guided(_)) {
+            told.marks.push(Mark { layer: layers::TO_GOAL.key, shape: Shape::Segments, vertices: vec![from, self.goal] });
         }
-        let lines = |fates: &dyn Fn(&Sample<N>) -> bool| -> Vec<[f64; 3]> {
-            last.samples.iter().filter(|sample| fates(sample)).flat_map(|sample| [from, place(&sample.point)]).collect()
+        let lines = |fates: &dyn Fn(&Drawn) -> bool| -> Vec<[f64; 3]> {
+            self.samples.iter().filter(|sample| fates(sample)).flat_map(|sample| [from, sample.place]).collect()
         };
         let kept = lines(&|sample| !matches!(sample.outcome, SampleOutcome::NotKept | SampleOutcome::Taken));
         let chosen = lines(&|sample| sample.outcome == SampleOutcome::Taken);
-        let all = last.samples.iter().map(|sample| place(&sample.point)).collect();
+        let all = self.samples.iter().map(|sample| sample.place).collect();
         told.marks.push(Mark { layer: layers::SAMPLES.key, shape: Shape::Points, vertices: all });
         told.marks.push(Mark { layer: layers::KEPT.key, shape: Shape::Segments, vertices: kept });
         told.marks.push(Mark { layer: layers::CHOSEN.key, shape: Shape::Segments, vertices: chosen });
@@ -209,54 +297,54 @@ impl<const N: usize> Seen<'_, N> {
     }
 
     fn tell_sample(&self, item: Item) -> Option<Inspection> {
-        let last = &self.forest.last;
-        let sample = last.samples.get(item.index)?;
-        let near = *self.forest.trees[last.tree].points.get(last.near)?;
-        let place = |point: &[f64; N]| self.task.space.place(point);
+        let last = self.last;
+        let sample = self.samples.get(item.index)?;
         let title = message!("tree-sample", "Sample {i}", i = item.index + 1);
         let mut told = Inspection {
-            marks: vec![Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![place(&sample.point)] }],
+            marks: vec![Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![sample.place] }],
             ..Inspection::new(item, title, sample.outcome.name(), sample.outcome.sentence(last.source))
         };
-        self.tell_taken(sample, &near, &mut told);
-        self.table(&near, &mut told);
+        self.tell_taken(sample, &mut told);
+        self.table(self.nodes.place(last.tree, last.near), &mut told);
         Some(told)
     }
-}
 
-/// An extension in a sentence.
-fn summary<const N: usize>(last: &Extension<N>) -> Message {
-    let rewired = match last.rewired {
-        0 => Message::default(),
-        1 => message!("tree-rewired-one", "One neighbour has become its child."),
-        n => message!("tree-rewired", "{n} neighbours have become its children.", n),
-    };
-    let count = |outcome: SampleOutcome| last.samples.iter().filter(|sample| sample.outcome == outcome).count();
-    match last.source {
-        Source::Guided(_) if last.fell_back => {
-            let kept = last.samples.iter().filter(|sample| sample.angle.is_finite() && sample.outcome != SampleOutcome::NotKept).count();
-            message!("tree-fell-back", "None of the {kept} kept samples led on, so the tree took a plain random step.", kept)
-        }
-        Source::Guided(by) => {
-            let (drawn, kept) = (last.samples.len(), last.samples.len() - count(SampleOutcome::NotKept));
-            match by {
-                By::Angle => message!(
-                    "tree-guided-by-angle",
-                    "Of {drawn} samples the {kept} with the smallest angles were kept. The tree has grown toward the one that the roulette wheel chose.",
-                    drawn,
-                    kept
-                ),
-                By::Distance => message!(
-                    "tree-guided-by-distance",
-                    "Of {drawn} samples the roulette wheel kept {kept}. The tree has grown toward the one nearest to the goal that was free.",
-                    drawn,
-                    kept
-                ),
+    /// The last extension in a sentence.
+    fn summary(&self) -> Message {
+        let last = self.last;
+        let rewired = match last.rewired {
+            0 => Message::default(),
+            1 => message!("tree-rewired-one", "One neighbour has become its child."),
+            n => message!("tree-rewired", "{n} neighbours have become its children.", n),
+        };
+        let count = |outcome: SampleOutcome| self.samples.iter().filter(|sample| sample.outcome == outcome).count();
+        match last.source {
+            Source::Guided(_) if last.fell_back => {
+                let kept =
+                    self.samples.iter().filter(|sample| sample.angle.is_finite() && sample.outcome != SampleOutcome::NotKept).count();
+                message!("tree-fell-back", "None of the {kept} kept samples led on, so the tree took a plain random step.", kept)
             }
+            Source::Guided(by) => {
+                let (drawn, kept) = (self.samples.len(), self.samples.len() - count(SampleOutcome::NotKept));
+                match by {
+                    By::Angle => message!(
+                        "tree-guided-by-angle",
+                        "Of {drawn} samples the {kept} with the smallest angles were kept. The tree has grown toward the one that the roulette wheel chose.",
+                        drawn,
+                        kept
+                    ),
+                    By::Distance => message!(
+                        "tree-guided-by-distance",
+                        "Of {drawn} samples the roulette wheel kept {kept}. The tree has grown toward the one nearest to the goal that was free.",
+                        drawn,
+                        kept
+                    ),
+                }
+            }
+            Source::Goal => message!("tree-toward-goal", "The goal itself was the sample.").then(rewired),
+            Source::Informed => message!("tree-informed", "The sample came from where a shorter path can lead.").then(rewired),
+            Source::Other => message!("tree-toward-other", "The tree went for the other tree’s newest node."),
+            Source::Uniform => message!("tree-random", "The node nearest to a random point has grown by a step towards it.").then(rewired),
         }
-        Source::Goal => message!("tree-toward-goal", "The goal itself was the sample.").then(rewired),
-        Source::Informed => message!("tree-informed", "The sample came from where a shorter path can lead.").then(rewired),
-        Source::Other => message!("tree-toward-other", "The tree went for the other tree’s newest node."),
-        Source::Uniform => message!("tree-random", "The node nearest to a random point has grown by a step towards it.").then(rewired),
     }
 }

@@ -8,6 +8,7 @@ use super::{
     hermite::smooth,
     parameters::{BLEND, POLYLINE, SHORTEN, SMOOTH, TOLERANCE},
     polyline::fitted,
+    space::{Carried, Space},
     vector::{between, distance, length},
 };
 
@@ -53,18 +54,37 @@ pub(super) struct Finished<const N: usize> {
     pub(super) path: Vec<[f64; N]>,
 }
 
-/// As many coordinates as a path may have: those of an arm's joints.
-const MOST: usize = 6;
+/// As many coordinates as a path may have: a tip's, and the posture that goes along with it.
+const MOST: usize = 9;
+/// What a radian of a posture counts as, in metres: so little that the length of a path is its tip's.
+const SCALE: f64 = 1e-6;
 
 /// Shortens, fits and smooths a path whose pieces are free. It is done with as many coordinates as there may be, so that its code is
 /// there once: those that are 0 change no bit of the others.
-pub(super) fn finish<const N: usize>(raw: &[[f64; N]], how: &Finish, free: Free<N>) -> Finished<N> {
+pub(super) fn finish<const N: usize>(raw: &[[f64; N]], carried: &[Carried], how: &Finish, space: &dyn Space<N>) -> Finished<N> {
     const { assert!(N <= MOST) };
     let drop = |point: &[f64; MOST]| std::array::from_fn(|axis| point[axis]);
-    let lift = |point: &[f64; N]| std::array::from_fn(|axis| point.get(axis).copied().unwrap_or(0.0));
-    let raw: Vec<[f64; MOST]> = raw.iter().map(lift).collect();
-    let Finished { short, path } = finished(&raw, how, &|a, b| free(&drop(a), &drop(b)));
+    let carried_at = |point: &[f64; MOST]| -> Carried { std::array::from_fn(|joint| point[MOST - 6 + joint] / SCALE) };
+    let mut lifted = vec![[0.0; MOST]; raw.len()];
+    for (place, point) in lifted.iter_mut().zip(raw) {
+        place[..N].copy_from_slice(point);
+    }
+    for (place, carried) in lifted.iter_mut().zip(carried) {
+        carried.iter().zip(&mut place[MOST - 6..]).for_each(|(angle, to)| *to = angle * SCALE);
+    }
+    let goes = |a: &[f64; MOST], b: &[f64; MOST]| {
+        let (from, to) = (drop(a), drop(b));
+        space.is_free(&from, &to) && (carried.is_empty() || space.carry(&from, &carried_at(a), &to, Some(&carried_at(b))).is_some())
+    };
+    let Finished { short, path } = finished(&lifted, how, &goes);
     Finished { short: short.iter().map(drop).collect(), path: path.iter().map(drop).collect() }
+}
+
+impl<const N: usize> Finished<N> {
+    /// Nothing was made of it.
+    pub(super) fn raw(path: &[[f64; N]]) -> Self {
+        Self { short: path.to_vec(), path: path.to_vec() }
+    }
 }
 
 #[inline(never)]

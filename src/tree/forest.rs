@@ -2,7 +2,7 @@
 
 use crate::kernel::State;
 
-use super::{nearest::Nearest, vector::distance};
+use super::{nearest::Nearest, space::Carried, vector::distance};
 
 /// No node.
 pub(super) const NONE: u32 = u32::MAX;
@@ -15,6 +15,9 @@ pub struct Tree<const N: usize> {
     pub(super) parents: Vec<u32>,
     /// The length of the way from the root.
     pub(super) costs: Vec<f64>,
+    /// What each node carries, where they carry anything; follows from the rest.
+    #[state(skip)]
+    pub(super) carried: Vec<Carried>,
     #[state(skip)]
     index: Nearest<N>,
 }
@@ -22,7 +25,7 @@ pub struct Tree<const N: usize> {
 impl<const N: usize> Tree<N> {
     /// A tree without nodes.
     pub(super) fn new() -> Self {
-        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), index: Nearest::new() }
+        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), carried: Vec::new(), index: Nearest::new() }
     }
 
     /// How many nodes.

@@ -28,6 +28,9 @@ impl<const N: usize> Found<N> {
 
     /// Shortened, fitted and smoothed, as the settings say.
     pub(super) fn finished(&self, task: &Task<N>) -> &Finished<N> {
-        self.finished.get_or_init(|| finish(&self.raw, &task.finish, &|a, b| task.space.is_free(a, b)))
+        self.finished.get_or_init(|| {
+            task.carried(&self.raw)
+                .map_or_else(|| Finished::raw(&self.raw), |carried| finish(&self.raw, &carried, &task.finish, &*task.space))
+        })
     }
 }

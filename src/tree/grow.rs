@@ -7,6 +7,7 @@ use crate::kernel::State;
 use super::{
     forest::Tree,
     found::Found,
+    space::Carried,
     task::Task,
     vector::{distance, squared},
 };
@@ -30,6 +31,8 @@ pub enum SampleOutcome {
     Blocked,
     /// The new node would be nearer to another node than to its parent.
     DoublesBack,
+    /// The arm has no posture with which it gets to the new node.
+    Unreachable,
 }
 
 /// A point that the tree was asked to grow to.
@@ -112,6 +115,9 @@ pub struct Forest<const N: usize> {
     /// Whose it is.
     pub(super) nearest_node: usize,
     pub(super) iteration: u64,
+    /// What is carried to the point that was tested last and is free.
+    #[state(skip)]
+    carried: Option<Carried>,
 }
 
 impl<const N: usize> Forest<N> {
@@ -129,6 +135,7 @@ impl<const N: usize> Forest<N> {
             nearest: f64::INFINITY,
             nearest_node: 0,
             iteration: 0,
+            carried: None,
         };
         forest.root(task, 0, task.start);
         forest
@@ -152,11 +159,14 @@ impl<const N: usize> Forest<N> {
     /// Adds a root to a tree.
     pub(super) fn root(&mut self, task: &Task<N>, tree: usize, point: [f64; N]) {
         let node = self.trees[tree].root(point);
+        self.trees[tree].carried.extend(task.space.carried().map(|ends| ends[tree]));
         self.note(task, tree, node);
     }
 
-    /// Adds a child to a node of a tree; its number. The straight piece between them must be free.
+    /// Adds a child to a node of a tree; its number. The straight piece between them must be free: what [`test`](Self::test) was asked last
+    /// of those that are `Taken`.
     pub fn add(&mut self, task: &Task<N>, tree: usize, point: [f64; N], parent: usize) -> usize {
+        self.trees[tree].carried.extend(self.carried.take());
         let node = self.trees[tree].add(point, parent);
         self.note(task, tree, node);
         self.last.added = true;
@@ -174,14 +184,31 @@ impl<const N: usize> Forest<N> {
         }
     }
 
-    /// Whether the straight piece from a node to a new one is free, and the new one inside: then it is `Taken`. Counts as an evaluation.
+    /// Whether the straight piece from a node of a tree to a new one is free, and the new one inside: then it is `Taken`. Counts as an
+    /// evaluation.
     #[inline]
-    pub fn test(&mut self, task: &Task<N>, from: &[f64; N], to: &[f64; N]) -> SampleOutcome {
+    pub fn test(&mut self, task: &Task<N>, tree: usize, node: usize, to: &[f64; N]) -> SampleOutcome {
+        self.test_to(task, tree, node, to, None)
+    }
+
+    /// The same to another node of that tree.
+    pub(super) fn test_to(&mut self, task: &Task<N>, tree: usize, node: usize, to: &[f64; N], other: Option<usize>) -> SampleOutcome {
         if !task.contains(to) {
             return SampleOutcome::Outside;
         }
         self.tested += 1;
-        if task.space.is_free(from, to) { SampleOutcome::Taken } else { SampleOutcome::Blocked }
+        let tree = &self.trees[tree];
+        let from = &tree.points[node];
+        if !task.space.is_free(from, to) {
+            return SampleOutcome::Blocked;
+        }
+        if let Some(carried) = tree.carried.get(node) {
+            let Some(there) = task.space.carry(from, carried, to, other.map(|other| &tree.carried[other])) else {
+                return SampleOutcome::Unreachable;
+            };
+            self.carried = Some(there);
+        }
+        SampleOutcome::Taken
     }
 
     /// Begins an extension of a tree: what a method does first. Explanations tell the source.
@@ -205,7 +232,7 @@ impl<const N: usize> Forest<N> {
         let far = distance(&from, &sample);
         self.last.near = near;
         let new = if clip && far <= task.step { sample } else { task.towards(&from, &sample) };
-        let outcome = if far == 0.0 { SampleOutcome::TooNear } else { self.test(task, &from, &new) };
+        let outcome = if far == 0.0 { SampleOutcome::TooNear } else { self.test(task, tree, near, &new) };
         self.record(sample, outcome);
         (outcome == SampleOutcome::Taken).then(|| self.add(task, tree, new, near))
     }
@@ -214,7 +241,7 @@ impl<const N: usize> Forest<N> {
     /// that is so.
     pub fn reach(&mut self, task: &Task<N>, node: usize) -> bool {
         let (point, goal) = (self.trees[0].points[node], task.goal());
-        if distance(&point, &goal) > task.step || self.test(task, &point, &goal) != SampleOutcome::Taken {
+        if distance(&point, &goal) > task.step || self.test(task, 0, node, &goal) != SampleOutcome::Taken {
             return false;
         }
         let mut path = self.trees[0].path_to(node);

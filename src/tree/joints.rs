@@ -3,14 +3,16 @@
 use std::sync::Arc;
 
 use crate::{
-    arm::{self, Arm, ArmScene, Posture},
-    kernel::{Error, Solution, digits::coordinates},
-    message,
+    arm::{self, ArmScene, Posture},
+    kernel::{Error, Solution},
     params::{Param, Parameters},
     scene::{JOINED, Scene},
 };
 
-use super::space::{Space, room};
+use super::{
+    carry::free_postures,
+    space::{Space, room},
+};
 
 pub(super) const GOALS: Param<u64> = Param::integer(
     "goals",
@@ -70,32 +72,6 @@ impl Joints {
         let limit = |degrees: fn(&arm::Joint) -> f64| arm::radians(&arm.joints.each_ref().map(degrees));
         Ok(Self { min: limit(|joint| joint.min), max: limit(|joint| joint.max), start, goals, radius, resolution, scene: body })
     }
-}
-
-/// The postures that have the tip at a point and touch nothing, nearest to one first.
-fn free_postures(field: &str, scene: &ArmScene, point: [f64; 3], near: &Posture, radius: f64) -> Result<Vec<Posture>, Error> {
-    let [mut reached, mut free] = [Vec::new(), Vec::new()];
-    let mut why = None;
-    for direction in Arm::directions() {
-        match scene.arm.reaching(point, direction, near) {
-            Ok(postures) => reached.extend(postures.iter().copied()),
-            Err(unreachable) => why = Some(unreachable),
-        }
-    }
-    free.extend(reached.iter().filter(|posture| !arm::touches(scene, &scene.arm.skeleton(posture), radius)));
-    if free.is_empty() {
-        let shown = coordinates(&point);
-        let allowed = match why {
-            Some(unreachable) if reached.is_empty() => {
-                message!("tree-reachable", "where the arm can bring its tip: {why}", why = unreachable.message())
-            }
-            _ => message!("tree-reachable-free", "where the arm can bring its tip without touching a cuboid or its column"),
-        };
-        return Err(Error::refused(field, shown, allowed));
-    }
-    let mut order: Vec<_> = free.iter().enumerate().map(|(i, posture)| (arm::distance(posture, near), i)).collect();
-    crate::math::sort(&mut order);
-    Ok(order.into_iter().map(|(_, i)| free[i]).collect())
 }
 
 impl Space<6> for Joints {

@@ -36,6 +36,13 @@ pub(super) const MARGIN: Param<f64> = Param::number(
 )
 .only_on(&[ARM])
 .slider(0.0, 0.1, false);
+pub(super) const REACHABLE: Param<bool> = Param::flag(
+    "reachable",
+    "Reachable",
+    true,
+    "Grow only where the arm can go along: a posture for each node, from which the whole arm gets to the next without touching anything. In the paper only the tip counts.",
+)
+.only_on(&[ARM]);
 pub(super) const BIAS: Param<f64> = Param::number(
     "goal_bias",
     "p_g",
@@ -100,7 +107,7 @@ pub(super) const BLEND: Param<f64> = Param::number(
 
 /// What a planner makes of its path; its own parameters come before.
 pub(super) const FINISH: &[Parameter] =
-    &[MARGIN.entry(), SHORTEN.entry(), POLYLINE.entry(), TOLERANCE.entry(), SMOOTH.entry(), BLEND.entry()];
+    &[MARGIN.entry(), REACHABLE.entry(), SHORTEN.entry(), POLYLINE.entry(), TOLERANCE.entry(), SMOOTH.entry(), BLEND.entry()];
 
 pub(super) const BEST: Reading =
     Reading::new("best", "L_T", "Path of the tree", Group::Cost, "The length of the path along the tree, once there is one.");

@@ -33,7 +33,7 @@ impl Paths {
     /// # Errors
     /// A scene without start and goal.
     pub fn new(scene: &Arc<Scene>, step_size: f64, goal_bias: f64) -> Result<Self, Error> {
-        let space = space::of_scene(scene, 0.0)?;
+        let space = space::of_scene(scene, 0.0, false)?;
         let step = step_size * space.unit();
         Ok(Self { task: Task::with(space, step, u64::MAX, Finish::raw(step)), method: Rrt { goal_bias } })
     }

@@ -107,7 +107,12 @@ impl<const N: usize> Method<N> for Connect {
                 rest.pop();
                 rest.reverse();
                 path.append(&mut rest);
-                forest.keep(path);
+                // Each tree has its own posture where they meet: the start's must be one with which the arm gets on to the goal.
+                if task.carried(&path).is_some() {
+                    forest.keep(path);
+                } else {
+                    (self.newest, self.explorer) = (None, other);
+                }
             }
             Some(_) => {}
             None => (self.newest, self.explorer) = (None, other),

@@ -221,7 +221,7 @@ impl Guided {
             } else {
                 let new = task.towards(&from, &sample);
                 let doubles_back = task.contains(&new) && forest.trees[0].nearest(&new) != near;
-                (if doubles_back { SampleOutcome::DoublesBack } else { forest.test(task, &from, &new) }, new)
+                (if doubles_back { SampleOutcome::DoublesBack } else { forest.test(task, 0, near, &new) }, new)
             };
             forest.last.samples[i].outcome = outcome;
             if outcome == SampleOutcome::Taken {

@@ -178,9 +178,8 @@ impl<const N: usize> Star<N> {
         let mut parent = nearest;
         let known = forest.trees[0].costs[nearest] + distance(&forest.trees[0].points[nearest], &new);
         for &(cost, node) in self.order.iter().take_while(|(cost, _)| *cost < known) {
-            let from = forest.trees[0].points[node];
             debug_assert!(cost < known);
-            if forest.test(task, &from, &new) == SampleOutcome::Taken {
+            if forest.test(task, 0, node, &new) == SampleOutcome::Taken {
                 parent = node;
                 break;
             }
@@ -193,7 +192,10 @@ impl<const N: usize> Star<N> {
             let other = self.near[i] as usize;
             let (point, way) =
                 (forest.trees[0].points[other], forest.trees[0].costs[node] + distance(&forest.trees[0].points[other], &new));
-            if other != parent && way < forest.trees[0].costs[other] && forest.test(task, &new, &point) == SampleOutcome::Taken {
+            if other != parent
+                && way < forest.trees[0].costs[other]
+                && forest.test_to(task, 0, node, &point, Some(other)) == SampleOutcome::Taken
+            {
                 self.rewire(forest, other, node);
                 forest.last.rewired += 1;
             }
@@ -243,7 +245,7 @@ impl<const N: usize> Method<N> for Star<N> {
         let from = forest.trees[0].points[near];
         let far = distance(&from, &sample);
         let new = if far <= task.step { sample } else { task.towards(&from, &sample) };
-        let outcome = if far == 0.0 { SampleOutcome::TooNear } else { forest.test(task, &from, &new) };
+        let outcome = if far == 0.0 { SampleOutcome::TooNear } else { forest.test(task, 0, near, &new) };
         forest.last.near = near;
         forest.record(sample, outcome);
         if outcome != SampleOutcome::Taken {
@@ -253,7 +255,7 @@ impl<const N: usize> Method<N> for Star<N> {
         let goal = task.goal();
         if self.goal.is_none() && new == goal {
             self.goal = Some(node);
-        } else if self.goal.is_none() && distance(&new, &goal) <= task.step && forest.test(task, &new, &goal) == SampleOutcome::Taken {
+        } else if self.goal.is_none() && distance(&new, &goal) <= task.step && forest.test(task, 0, node, &goal) == SampleOutcome::Taken {
             self.goal = Some(self.insert(forest, task, goal, node));
         }
         // The goal's way is a path; kept when it became shorter.

@@ -12,7 +12,13 @@ use crate::{
     scene::{ARM, DISCS, DiscsScene, GRID, GridScene},
 };
 
-use super::parameters::MARGIN;
+use super::{
+    carry::Carrier,
+    parameters::{MARGIN, REACHABLE},
+};
+
+/// What a node carries besides its coordinates, such as an arm's posture.
+pub type Carried = [f64; 6];
 
 /// A box in N dimensions with obstacles, a start and goals. All of it stays the same while a tree grows.
 pub trait Space<const N: usize>: Send + Sync {
@@ -24,6 +30,16 @@ pub trait Space<const N: usize>: Send + Sync {
     fn goals(&self) -> &[[f64; N]];
     /// Whether one can go straight from `a`, which is free, to `b`. Called in the inner loop.
     fn is_free(&self, a: &[f64; N], b: &[f64; N]) -> bool;
+    /// What is carried at the start, and at the goals; `None` where nodes carry nothing.
+    fn carried(&self) -> Option<[Carried; 2]> {
+        None
+    }
+    /// What is carried to `b` where one goes straight there from `a`, where it is `from`; `None` where it cannot be. With `to` it is to be
+    /// that at `b`. Asked where [`is_free`](Self::is_free), if there is anything to carry.
+    fn carry(&self, a: &[f64; N], from: &Carried, b: &[f64; N], to: Option<&Carried>) -> Option<Carried> {
+        let _ = (a, b, to);
+        Some(*from)
+    }
     /// In how many of the first dimensions it has an extent: 1 to N. In the others all coordinates are the same.
     fn dimensions(&self) -> usize {
         N
@@ -63,14 +79,15 @@ type On = fn(Arc<dyn Space<3>>, &Parameters, u64) -> Result<Started, Error>;
 /// # Errors
 /// As [`of_scene`].
 pub(super) fn start(start: &Start, on: On) -> Result<Started, Error> {
-    on(of_scene(start.scene, start.parameters[MARGIN])?, start.parameters, start.seed)
+    on(of_scene(start.scene, start.parameters[MARGIN], start.parameters[REACHABLE])?, start.parameters, start.seed)
 }
 
-/// The space of a scene with start and goal; an arm's tip keeps so much away from obstacles.
+/// The space of a scene with start and goal; an arm's tip keeps so much away from obstacles, and `reachable` asks whether the arm can go
+/// along.
 ///
 /// # Errors
 /// [`Error::Refused`] for a scene without.
-pub(super) fn of_scene(scene: &Scene, margin: f64) -> Result<Arc<dyn Space<3>>, Error> {
+pub(super) fn of_scene(scene: &Scene, margin: f64, reachable: bool) -> Result<Arc<dyn Space<3>>, Error> {
     Ok(match scene.kind() {
         DISCS => {
             let plane = scene.share::<DiscsScene>()?;
@@ -80,7 +97,7 @@ pub(super) fn of_scene(scene: &Scene, margin: f64) -> Result<Arc<dyn Space<3>>, 
             let plane = scene.share::<GridScene>()?;
             Arc::new(Flat { extent: Extent::of(&*plane, plane.cell)?, plane })
         }
-        ARM => Arc::new(Workspace::new(scene.share()?, margin)),
+        ARM => Arc::new(Workspace::new(scene.share()?, margin, reachable)),
         other => return Err(Error::refused("kind", other.name(), message!("tree-kinds", "discs, grid or arm"))),
     })
 }
@@ -148,6 +165,8 @@ struct Workspace {
     /// What the tip keeps away from, and how far: each cuboid, grown by that, its own corners sharp.
     margin: f64,
     grown: Vec<Cuboid>,
+    /// The arm that goes along.
+    carrier: Option<Carrier>,
 }
 
 /// How far a point is from an obstacle.
@@ -156,12 +175,18 @@ pub(super) fn room(point: [f64; 3], (axis, radius): (Cuboid, f64)) -> f64 {
 }
 
 impl Workspace {
-    fn new(arm: Arc<ArmScene>, margin: f64) -> Self {
+    fn new(arm: Arc<ArmScene>, margin: f64, reachable: bool) -> Self {
         // Start and goal are free, however near: half of their room is left.
         let rooms = [arm.start, arm.goal].into_iter().flat_map(|end| arm.obstacles().map(move |obstacle| room(end, obstacle)));
         let margin = rooms.fold(margin, |margin, room| margin.min(room / 2.0));
         let grown = |cuboid: &Cuboid| Cuboid { min: cuboid.min.map(|x| x - margin), max: cuboid.max.map(|x| x + margin) };
-        Self { goal: [arm.goal], margin, grown: arm.cuboids.iter().map(grown).collect(), arm }
+        Self {
+            goal: [arm.goal],
+            margin,
+            grown: arm.cuboids.iter().map(grown).collect(),
+            carrier: if reachable { Carrier::new(&arm) } else { None },
+            arm,
+        }
     }
 }
 
@@ -176,6 +201,14 @@ impl Space<3> for Workspace {
 
     fn goals(&self) -> &[[f64; 3]] {
         &self.goal
+    }
+
+    fn carried(&self) -> Option<[Carried; 2]> {
+        self.carrier.as_ref().map(Carrier::ends)
+    }
+
+    fn carry(&self, a: &[f64; 3], from: &Carried, b: &[f64; 3], to: Option<&Carried>) -> Option<Carried> {
+        self.carrier.as_ref()?.carry(a, from, b, to)
     }
 
     #[inline]

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     Overrides, Run, Scene, Setup, Status, Value,
+    arm::{ArmScene, Joint, degrees, motion_is_free, tip_path},
     describe::layers,
     kernel::{Item, Progress, State, limits, rng::Stream},
     params::{Domain, Parameters},
@@ -15,7 +16,7 @@ use super::{
     forest::NONE,
     grow::{Forest, SampleOutcome, Source},
     method::{Method, Trees},
-    parameters::MARGIN,
+    parameters::{MARGIN, REACHABLE},
     space,
     task::Task,
     vector::distance,
@@ -31,7 +32,7 @@ fn run(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Run {
 
 /// A planner with its parts open.
 fn trees<M: Method<3>>(scene: &Scene, settings: &Parameters, seed: u64, method: impl FnOnce(&Task<3>) -> M) -> Trees<3, M> {
-    Trees::new(space::of_scene(scene, settings[MARGIN]).unwrap(), settings, seed, method).unwrap()
+    Trees::new(space::of_scene(scene, settings[MARGIN], settings[REACHABLE]).unwrap(), settings, seed, method).unwrap()
 }
 
 fn guided(scene: &Scene, settings: &Parameters, seed: u64) -> Trees<3, rrt_guided::Guided> {
@@ -52,7 +53,7 @@ fn plane() -> Arc<Scene> {
 fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
     let entry = crate::standard().planner(planner).unwrap();
     let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
-    Task::new(space::of_scene(scene, settings[MARGIN]).unwrap(), &settings).unwrap()
+    Task::new(space::of_scene(scene, settings[MARGIN], settings[REACHABLE]).unwrap(), &settings).unwrap()
 }
 
 /// Grows towards fixed points, so that steps can be computed by hand.
@@ -114,6 +115,21 @@ fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
     assert_eq!(blocked.forest.nearest, 25.0);
 }
 
+/// Whether a node's posture has its tip there, within the limits, and the arm gets to it from its parent's with the tip straight on and
+/// without touching anything.
+fn goes_along(arm: &ArmScene, tree: &Tree<3>, node: usize) -> bool {
+    let (posture, from) = (&tree.carried[node], &tree.carried[tree.parent(node).unwrap_or(node)]);
+    let within = |(joint, angle): (&Joint, f64)| (joint.min - 1e-9..=joint.max + 1e-9).contains(&angle);
+    // What a step of the usual size takes is one motion of the joints; longer ways of neighbours are several.
+    let short = tree.parent(node).is_none_or(|parent| distance(&tree.points[parent], &tree.points[node]) < 0.035);
+    let tips = tip_path(&arm.arm, &[*from, *posture]);
+    let way: f64 = tips.windows(2).map(|w| distance(&w[0], &w[1])).sum();
+    distance(&arm.arm.skeleton(posture)[4], &tree.points[node]) < 1e-9
+        && arm.arm.joints.iter().zip(degrees(posture)).all(within)
+        && motion_is_free(arm, posture, posture, 0.0, 1e-3)
+        && (!short || (way - distance(&tips[0], &tips[tips.len() - 1]) < 2e-3 && motion_is_free(arm, from, posture, 0.0, 1e-3)))
+}
+
 /// Runs a planner and looks at the tree after every step.
 fn watch<M: Method<3>>(mut grown: Trees<3, M>, steps: usize, scene: &Scene) {
     let task = Arc::clone(&grown.task);
@@ -131,8 +147,11 @@ fn watch<M: Method<3>>(mut grown: Trees<3, M>, steps: usize, scene: &Scene) {
     let forest = &grown.forest;
     assert_eq!(forest.births.len(), forest.trees[0].len() + forest.trees[1].len());
     for tree in &forest.trees {
+        let arm = scene.get::<ArmScene>().ok();
+        assert_eq!(tree.carried.len(), if arm.is_some() { tree.len() } else { 0 });
         for node in 0..tree.len() {
             assert!(task.contains(&tree.points[node]));
+            assert!(arm.is_none_or(|arm| goes_along(arm, tree, node)));
             let Some(parent) = Some(tree.parents[node]).filter(|&parent| parent != NONE) else {
                 assert_eq!(tree.costs[node], 0.0);
                 continue;

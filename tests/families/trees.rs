@@ -100,7 +100,7 @@ impl<const N: usize> Method<N> for Greedy {
             forest.begin(Source::Goal, 0);
             let (from, goal) = (*forest.tree(0).point(near), task.goal());
             let new = if distance(&from, &goal) <= task.step() { goal } else { task.towards(&from, &goal) };
-            let outcome = forest.test(task, &from, &new);
+            let outcome = forest.test(task, 0, near, &new);
             forest.record(goal, outcome);
             if outcome == SampleOutcome::Taken {
                 let node = forest.add(task, 0, new, near);

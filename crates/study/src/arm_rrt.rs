@@ -120,7 +120,8 @@ fn setups() -> Result<Vec<Setup>, Error> {
     for scene in SCENES {
         let scene = shipped(scene)?;
         for planner in PLANNERS {
-            let given = |step: f64| Overrides::from_iter([("step_size", Value::from(step))]);
+            // The paper's trees ask the tip alone.
+            let given = |step: f64| Overrides::from_iter([("step_size", Value::from(step)), ("reachable", Value::Flag(false))]);
             let params = if planner == JOINT { vec![Overrides::new()] } else { STEPS.map(given).to_vec() };
             setups.extend(params.into_iter().map(|params| Setup {
                 planner: planner.to_owned(),

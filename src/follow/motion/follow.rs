@@ -3,15 +3,12 @@
 use nalgebra::{Isometry3, UnitQuaternion};
 
 use crate::{
-    arm::{Arm, ArmScene, Links, Posture, Unreachable},
+    arm::{Arm, ArmScene, Hand, Holding, Links, Posture, Unreachable, squared},
     kernel::{Message, rng::Stream},
     message,
 };
 
-use super::{
-    course::{Station, between, distance},
-    hand::{Hand, Holding, squared},
-};
+use super::course::{Station, between, distance};
 
 /// How the tool is turned at the path's points.
 #[derive(Debug)]
@@ -27,7 +24,7 @@ pub(super) enum Pointing {
 pub(super) struct Postures<'a> {
     pub(super) scene: &'a ArmScene,
     pub(super) links: Links<'a>,
-    pub(super) holding: Holding<'a>,
+    pub(super) holding: Holding,
     pub(super) hands: Vec<Hand>,
     pub(super) pointing: Pointing,
     pub(super) resolution: f64,
@@ -74,7 +71,7 @@ impl Postures<'_> {
         let mut found = Vec::new();
         match &self.pointing {
             Pointing::Free => {
-                hands.iter().for_each(|hand| self.holding.reach(hand, at, near, |posture| found.push(posture)));
+                hands.iter().for_each(|hand| self.holding.reach(hand, at, near, &mut |posture| found.push(posture)));
                 if found.is_empty() {
                     let all = Arm::directions().iter().filter_map(|direction| self.arm().reaching(at, direction, near).ok());
                     all.for_each(|some| found.extend_from_slice(&some));

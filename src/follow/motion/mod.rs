@@ -1,12 +1,11 @@
 //! The arm follows a path: postures along it, the paper's replacements, joint trajectories, and what the whole arm touches.
 //!
 //! - `course`: the path as points; `follow`: which postures there are for a point, and the paper's choice among them;
-//! - `hand`, `search`, `smoothest`: ours, the choice that is best for the path as a whole;
+//! - `search`, `smoothest`: ours, the choice that is best for the path as a whole;
 //! - `trajectory`: when the arm is where, and what it touches on the way.
 
 mod course;
 mod follow;
-mod hand;
 mod outcome;
 mod parameters;
 mod search;
@@ -19,7 +18,7 @@ mod tests;
 use nalgebra::UnitQuaternion;
 
 use crate::{
-    arm::{ArmScene, Links},
+    arm::{ArmScene, Holding, Links},
     describe::{FollowedPath, Follower},
     kernel::{Error, Solution, rng::Stream, words},
     params::{Overrides, Parameters},
@@ -30,7 +29,6 @@ pub use outcome::{Motion, MotionOutcome};
 
 use course::stations;
 use follow::{Followed, Pointing, Postures, densified};
-use hand::Holding;
 use parameters::{
     COLUMNS, FORMULAS, NEAREST, ORIENTATION, Orientation, PARAMETERS, RADIUS, REPLACEMENT, RESOLUTION, SEED, SPACING, SPREAD, TRIES,
 };

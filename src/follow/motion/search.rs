@@ -6,9 +6,7 @@
 
 use std::{cmp::Reverse, collections::BinaryHeap};
 
-use crate::arm::Posture;
-
-use super::hand::squared;
+use crate::arm::{Posture, squared};
 
 /// Postures at a point of the path, any of which will do.
 #[derive(Debug, Clone, PartialEq)]

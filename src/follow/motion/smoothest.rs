@@ -3,12 +3,11 @@
 //! every move tested; then its hand is drawn taut. Where that finds nothing, and where the tool's orientation is
 //! given, the way goes through the postures of every point, and points without any are replaced as the paper does.
 
-use crate::arm::Posture;
+use crate::arm::{Posture, squared};
 
 use super::{
     course::{Station, keys},
     follow::{Followed, Pointing, Postures, Stop, evenly, mirrored},
-    hand::squared,
     search::{Layer, Move, cheapest},
 };
 

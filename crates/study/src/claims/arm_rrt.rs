@@ -38,7 +38,12 @@ fn in_workspace(rivals: &[(&'static str, &str)], question: Question) -> Vec<Part
 }
 
 fn claims() -> Vec<Claim> {
-    [cost(), paths(), motion(), guarantees()].concat()
+    let mut claims = [cost(), paths(), motion(), guarantees()].concat();
+    // The paper's trees ask the tip alone.
+    for part in claims.iter_mut().flat_map(|claim| &mut claim.parts).filter(|part| part.is_on("arm-")) {
+        part.arms = part.arms.iter().map(|arm| arm.clone().with("reachable", "false")).collect();
+    }
+    claims
 }
 
 /// What a tree costs.

@@ -143,6 +143,13 @@ impl Arm {
         Self { planner, params: given(params), motion: Overrides::new() }
     }
 
+    /// With another parameter.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, value: &str) -> Self {
+        self.params.insert(name, Value::from(value));
+        self
+    }
+
     /// With parameters of the arm's motion.
     #[must_use]
     pub fn moving(self, motion: &str) -> Self {
@@ -186,6 +193,11 @@ impl Part {
     /// Without runs, for a reason.
     pub fn open(reason: &'static str) -> Self {
         Self { question: Question::Open(reason), on: Vec::new(), arms: Vec::new(), until: Until::End, seeds: SEEDS }
+    }
+
+    /// Whether it is on scenes that ship alone, whose names begin so.
+    pub fn is_on(&self, beginning: &str) -> bool {
+        !self.on.is_empty() && self.on.iter().all(|on| matches!(on, On::Scene(name) if name.starts_with(beginning)))
     }
 
     /// With other seeds.

@@ -8,36 +8,35 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Isometry3, Point3};
 
-use crate::{
-    arm::{Arm, Axis, Posture},
-    math::{acos, atan2, cos, sin},
-};
+use crate::math::{acos, atan2, cos, sin};
+
+use super::{Arm, Axis, Joint, Posture};
 
 /// How far beyond its limit an angle is taken for the limit: what rounding does.
 const LIMIT: f64 = 1e-10;
 
 /// An arm whose hand is held.
 #[derive(Debug)]
-pub(super) struct Holding<'a> {
-    arm: &'a Arm,
+pub(crate) struct Holding {
+    arm: Arm,
     /// Into the forearm's frame from the world's, with the first three joints at 0.
     forearm: Isometry3<f64>,
 }
 
 /// θ4, θ5, θ6, and where they hold the tip in the forearm's frame.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Hand {
-    pub(super) angles: [f64; 3],
+pub(crate) struct Hand {
+    pub(crate) angles: [f64; 3],
     tip: [f64; 3],
 }
 
-impl<'a> Holding<'a> {
-    pub(super) fn new(arm: &'a Arm) -> Self {
-        Self { arm, forearm: arm.forward(&[0.0; 6])[2].inverse() }
+impl Holding {
+    pub(crate) fn new(arm: &Arm) -> Self {
+        Self { arm: arm.clone(), forearm: arm.forward(&[0.0; 6])[2].inverse() }
     }
 
     /// A hand with these angles.
-    pub(super) fn hand(&self, angles: [f64; 3]) -> Hand {
+    pub(crate) fn hand(&self, angles: [f64; 3]) -> Hand {
         let [a, b, c] = angles;
         let tip = Point3::from(self.arm.skeleton(&[0.0, 0.0, 0.0, a, b, c])[4]);
         Hand { angles, tip: (self.forearm * tip).coords.into() }
@@ -45,10 +44,10 @@ impl<'a> Holding<'a> {
 
     /// Hands all over the limits of their joints: θ4 every 40°, θ5 every 30°, and θ6 every 60° where it moves the tip. A wrist
     /// that is stretched holds the tool one way, whatever θ4.
-    pub(super) fn hands(&self) -> Vec<Hand> {
+    pub(crate) fn hands(&self) -> Vec<Hand> {
         let ([_, _, _, fourth, fifth, sixth], home) = (&self.arm.joints, self.arm.home());
         let spins = self.arm.tool.axis == Axis::Z;
-        let around = |joint: &crate::arm::Joint, step: f64| {
+        let around = |joint: &Joint, step: f64| {
             let (low, high) = (joint.min.max(joint.home - 180.0), joint.max.min(joint.home + 179.0));
             let (first, last) = (((low - joint.home) / step).ceil() as i32, ((high - joint.home) / step).floor() as i32);
             let home = joint.home;
@@ -67,7 +66,8 @@ impl<'a> Holding<'a> {
 
     /// Calls `each` with the postures within the limits that hold the hand so and bring the tip to a point: at most four. Of
     /// angles whole turns apart it takes those nearest to `near`'s.
-    pub(super) fn reach(&self, hand: &Hand, point: [f64; 3], near: &Posture, mut each: impl FnMut(Posture)) {
+    #[inline(never)]
+    pub(crate) fn reach(&self, hand: &Hand, point: [f64; 3], near: &Posture, each: &mut dyn FnMut(Posture)) {
         let ([base, shoulder, elbow, ..], [ox, oy, oz]) = (&self.arm.joints, self.arm.base.position);
         let (sine, cosine) = self.arm.base.turn();
         let (wx, wy) = (point[0] - ox, point[1] - oy);
@@ -99,9 +99,9 @@ impl<'a> Holding<'a> {
     }
 
     /// The posture of [`Holding::reach`] that is nearest to `near`.
-    pub(super) fn nearest(&self, hand: &Hand, point: [f64; 3], near: &Posture) -> Option<Posture> {
+    pub(crate) fn nearest(&self, hand: &Hand, point: [f64; 3], near: &Posture) -> Option<Posture> {
         let mut best = None;
-        self.reach(hand, point, near, |posture| {
+        self.reach(hand, point, near, &mut |posture| {
             let away = squared(&posture, near);
             if best.is_none_or(|(least, _)| away < least) {
                 best = Some((away, posture));
@@ -123,7 +123,7 @@ impl<'a> Holding<'a> {
 
 /// The squared distance of two postures, in radians.
 #[inline]
-pub(super) fn squared(a: &Posture, b: &Posture) -> f64 {
+pub(crate) fn squared(a: &Posture, b: &Posture) -> f64 {
     let d: [f64; 6] = std::array::from_fn(|i| a[i] - b[i]);
     (d[0] * d[0] + d[1] * d[1]) + (d[2] * d[2] + d[3] * d[3]) + (d[4] * d[4] + d[5] * d[5])
 }
@@ -154,7 +154,7 @@ mod tests {
             let hand = holding.hand([posture[3], posture[4], posture[5]]);
             let tip = arm.skeleton(&posture)[4];
             let (mut n, mut again) = (0, f64::INFINITY);
-            holding.reach(&hand, tip, &posture, |found| {
+            holding.reach(&hand, tip, &posture, &mut |found| {
                 let there = arm.skeleton(&found)[4];
                 assert!((0..3).all(|i| (there[i] - tip[i]).abs() < 1e-7), "{there:?} {tip:?}");
                 (n, again) = (n + 1, again.min(squared(&found, &posture)));

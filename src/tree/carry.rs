@@ -1,0 +1,111 @@
+//! How an arm is held along a tree of its tip's places: a posture for each node, so that the arm gets from each to the next with the
+//! tip straight on and without touching anything. Not in [ARM-RRT](crate#papers), whose trees ask the tip alone.
+
+use std::sync::Arc;
+
+use crate::{
+    arm::{self, Arm, ArmScene, Holding, Links, Posture},
+    kernel::{Error, digits::coordinates},
+    message,
+};
+
+use super::vector::{between, distance};
+
+/// How far the tip goes from one posture to the next, in metres.
+const SPACING: f64 = 0.04;
+/// The farthest that a joint turns meanwhile, in radians, so that the tip keeps to its straight way.
+const TURN: f64 = 0.35;
+/// How far the hand's joints turn where it cannot be held as it is, in radians: the fourth and the fifth, in the order in which that is
+/// tried.
+const HAND: f64 = 0.3;
+const OTHERS: [[f64; 2]; 8] = [[0.0, -1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
+/// How far any point of a link may go between two tests, in metres.
+const RESOLUTION: f64 = 0.002;
+
+/// An arm that goes along with its tip.
+pub(super) struct Carrier {
+    scene: Arc<ArmScene>,
+    holding: Holding,
+    /// The postures at start and goal.
+    ends: [Posture; 2],
+}
+
+impl Carrier {
+    /// Of a scene's arm; `None` where it has no posture at start or goal that touches nothing.
+    pub(super) fn new(scene: &Arc<ArmScene>) -> Option<Self> {
+        let nearest = |field, tip, near: &Posture| free_postures(field, scene, tip, near, 0.0).ok().map(|found| found[0]);
+        let start = nearest("start", scene.start, &scene.arm.home())?;
+        let goal = nearest("goal", scene.goal, &start)?;
+        Some(Self { ends: [start, goal], scene: Arc::clone(scene), holding: Holding::new(&scene.arm) })
+    }
+
+    /// The posture at the start, and one at the goal.
+    pub(super) fn ends(&self) -> [Posture; 2] {
+        self.ends
+    }
+
+    /// The posture at `b` where the tip goes straight there from `a`: the hand as it is held at `a`, or turned evenly to another on the
+    /// way, one that is near. With `to` it is that one.
+    pub(super) fn carry(&self, a: &[f64; 3], from: &Posture, b: &[f64; 3], to: Option<&Posture>) -> Option<Posture> {
+        let links = Links::new(&self.scene, 0.0);
+        let held = |posture: &Posture| self.holding.hand([posture[3], posture[4], posture[5]]);
+        let goes = |to: &Posture| self.goes(&links, [a, b], from, to);
+        if let Some(to) = to {
+            return self.holding.nearest(&held(to), *b, to).filter(goes);
+        }
+        if let Some(next) = self.holding.nearest(&held(from), *b, from).filter(goes) {
+            return Some(next);
+        }
+        OTHERS.iter().find_map(|&[fourth, fifth]| {
+            let mut turned = *from;
+            (turned[3], turned[4]) = (from[3] + fourth * HAND, from[4] + fifth * HAND);
+            let within = [3, 4].iter().all(|&i| {
+                let joint = &self.scene.arm.joints[i];
+                (joint.min..=joint.max).contains(&turned[i].to_degrees())
+            });
+            if within { self.holding.nearest(&held(&turned), *b, from).filter(goes) } else { None }
+        })
+    }
+
+    /// Whether the arm gets from one posture to another with the tip straight on and the hand turning evenly.
+    fn goes(&self, links: &Links, [a, b]: [&[f64; 3]; 2], from: &Posture, to: &Posture) -> bool {
+        let pieces = (distance(a, b) / SPACING).ceil().max(1.0);
+        let mut before = *from;
+        (1..=pieces as usize).all(|i| {
+            let share = i as f64 / pieces;
+            let guess: Posture = std::array::from_fn(|j| from[j] + share * (to[j] - from[j]));
+            let hand = || self.holding.hand([guess[3], guess[4], guess[5]]);
+            let next = if i as f64 == pieces { Some(*to) } else { self.holding.nearest(&hand(), between(a, b, share), &guess) };
+            let Some(next) = next.filter(|next| next.iter().zip(before).all(|(x, y)| (x - y).abs() <= TURN)) else { return false };
+            let free = links.motion_is_free(&before, &next, RESOLUTION);
+            before = next;
+            free
+        })
+    }
+}
+
+/// The postures that have the tip at a point and touch nothing, nearest to one first.
+pub(super) fn free_postures(field: &str, scene: &ArmScene, point: [f64; 3], near: &Posture, radius: f64) -> Result<Vec<Posture>, Error> {
+    let [mut reached, mut free] = [Vec::new(), Vec::new()];
+    let mut why = None;
+    for direction in Arm::directions() {
+        match scene.arm.reaching(point, direction, near) {
+            Ok(postures) => reached.extend(postures.iter().copied()),
+            Err(unreachable) => why = Some(unreachable),
+        }
+    }
+    free.extend(reached.iter().filter(|posture| !arm::touches(scene, &scene.arm.skeleton(posture), radius)));
+    if free.is_empty() {
+        let shown = coordinates(&point);
+        let allowed = match why {
+            Some(unreachable) if reached.is_empty() => {
+                message!("tree-reachable", "where the arm can bring its tip: {why}", why = unreachable.message())
+            }
+            _ => message!("tree-reachable-free", "where the arm can bring its tip without touching a cuboid or its column"),
+        };
+        return Err(Error::refused(field, shown, allowed));
+    }
+    let mut order: Vec<_> = free.iter().enumerate().map(|(i, posture)| (arm::distance(posture, near), i)).collect();
+    crate::math::sort(&mut order);
+    Ok(order.into_iter().map(|(_, i)| free[i]).collect())
+}
