@@ -158,8 +158,13 @@ export const monkey = (page: Page, seed: number, actions: number): Promise<Deeds
         if (last.length > 12) last.shift()
         await new Promise((passed) => setTimeout(passed, unit() < 0.05 ? 120 : 4))
       }
-      // What it went back to has come.
-      await new Promise((passed) => setTimeout(passed, 300))
+      // What it went back to and what it asked for has come.
+      const asked = (): number => performance.getEntriesByType('resource').length
+      for (let [before, quiet] = [asked(), 0], looks = 0; quiet < 4 && looks < 50; looks += 1) {
+        await new Promise((passed) => setTimeout(passed, 150))
+        quiet = asked() === before ? quiet + 1 : 0
+        before = asked()
+      }
       return { counts, last }
     },
     [seed, actions] as const,
