@@ -351,6 +351,6 @@ if (import.meta.filename === process.argv[1]) {
   const number = { type: 'string' }
   const { values } = parseArgs({ options: { seed: number, calls: number, seconds: number } })
   const seed = Number(values.seed ?? 1)
-  const most = values.seconds ? { seconds: Number(values.seconds) } : { calls: Number(values.calls ?? 200_000) }
+  const most = values.seconds ? { seconds: Number(values.seconds) } : { calls: Number(values.calls ?? 100_000) }
   console.log(callFace({ seed, ...most }))
 }

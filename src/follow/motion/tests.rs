@@ -323,7 +323,7 @@ fn free_of(planner: &str, seeds: std::ops::RangeInclusive<u64>, params: &[(&'sta
 fn the_arm_follows_what_trees_find_that_ask_it() {
     let guided = free_of("rrt-guided", 1..=100, &[]);
     assert!(guided >= 99, "{guided} of 100");
-    for (planner, seeds) in [("rrt", 30), ("rrt-connect", 100), ("rrt-star", 15)] {
+    for (planner, seeds) in [("rrt", 10), ("rrt-connect", 40), ("rrt-star", 8)] {
         assert_eq!(u64::from(free_of(planner, 1..=seeds, &[])), seeds, "{planner}");
     }
     let of_the_tip = free_of("rrt-star", 10..=18, &[("reachable", Value::Flag(false))]);
