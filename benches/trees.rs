@@ -2,7 +2,7 @@
 //! first path, its nodes, the length of what is handed over; then forward and inverse kinematics a second, and how long it
 //! takes to follow a path.
 //!
-//! `cargo bench --bench trees` prints the tables. The time is that of a machine; only ratios mean something elsewhere.
+//! `cargo bench --bench trees` prints the tables, `cargo bench --bench trees -- rrt-guided` those of one planner. The time is that of a machine; only ratios mean something elsewhere.
 
 #![expect(clippy::disallowed_types, reason = "a benchmark tells time")]
 
@@ -23,15 +23,19 @@ use forage::{
     shipped, standard,
 };
 
-/// Planners, and what differs from their defaults. OMPL's RRT asks for the goal once in twenty steps, the paper's never.
-const RUNS: [(&str, &[(&str, f64)]); 7] = [
-    ("rrt", &[]),
-    ("rrt", &[("goal_bias", 0.05)]),
-    ("rrt-guided", &[]),
-    ("rrt-connect", &[]),
-    ("rrt-star", &[]),
-    ("rrt-star", &[("iterations", 1000.0)]),
-    ("rrt-joint", &[]),
+/// Planners, whether the whole arm counts, and what differs from their defaults. OMPL's trees are of the tip alone; its RRT samples the
+/// goal once in twenty steps, the paper's never.
+const RUNS: [(&str, bool, &[(&str, f64)]); 10] = [
+    ("rrt", false, &[]),
+    ("rrt", false, &[("goal_bias", 0.05)]),
+    ("rrt-guided", false, &[]),
+    ("rrt-guided", true, &[]),
+    ("rrt-connect", false, &[]),
+    ("rrt-connect", true, &[]),
+    ("rrt-star", false, &[]),
+    ("rrt-star", true, &[]),
+    ("rrt-star", false, &[("iterations", 1000.0)]),
+    ("rrt-joint", true, &[]),
 ];
 
 /// OMPL 1.5.2 in C++ with an exact segment test on `arm-bench`, step and tolerance 0.03, medians, on another machine of this
@@ -42,6 +46,9 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     if values.is_empty() { f64::NAN } else { values[values.len() / 2] }
 }
+
+/// Whether the whole arm counts, and parameters.
+type Given = (bool, &'static [(&'static str, f64)]);
 
 /// What a seed gives.
 struct Run {
@@ -60,8 +67,11 @@ struct Run {
     following: f64,
 }
 
-fn settings(entry: &'static Entry, scene: &Scene, given: &[(&'static str, f64)], finish: bool) -> Parameters {
+fn settings(entry: &'static Entry, scene: &Scene, (whole, given): Given, finish: bool) -> Parameters {
     let mut params: Overrides = given.iter().map(|&(name, number)| (name, Value::from(number))).collect();
+    if entry.parameters.iter().flat_map(|group| *group).any(|parameter| parameter.name == "reachable") {
+        params.insert("reachable", Value::Flag(whole));
+    }
     for part in ["shorten", "polyline", "smooth"] {
         params.insert(part, Value::Flag(finish));
     }
@@ -76,7 +86,7 @@ fn tip_length(solution: &Solution) -> f64 {
 }
 
 /// A whole run as it is, and again with what is made of its path. `None` without a path.
-fn run(entry: &'static Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u64) -> Option<Run> {
+fn run(entry: &'static Entry, scene: &Arc<Scene>, given: Given, seed: u64) -> Option<Run> {
     let mut run = Stepper::from(
         (entry.start)(&Start { entry, scene, parameters: &settings(entry, scene, given, false), seed, entries: &**standard() }).unwrap(),
     );
@@ -109,18 +119,20 @@ fn trees(scene: &Arc<Scene>, seeds: u64) {
     let exact = scene.exact().map_or(f64::NAN, |exact| exact.length);
     println!("\n{}: medians of {seeds} seeds, step 0.03 m; the exact optimum is {exact:.4} m", scene.name());
     println!(
-        "{:26} {:>6} {:>13} {:>14} {:>7} {:>8} {:>10} {:>9} {:>13} {:>14}",
+        "{:30} {:>6} {:>13} {:>14} {:>7} {:>8} {:>10} {:>9} {:>13} {:>14}",
         "planner", "found", "extensions/s", "first path ms", "nodes", "tree m", "finished m", "worst m", "finishing ms", "following ms"
     );
-    for (name, given) in RUNS {
+    let only: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with("--")).collect();
+    for (name, whole, given) in RUNS.into_iter().filter(|(name, ..)| only.is_empty() || only.iter().any(|only| only == name)) {
         let entry = standard().planner(name).unwrap();
-        let runs: Vec<Run> = (1..=seeds).filter_map(|seed| run(entry, scene, given, seed)).collect();
+        let runs: Vec<Run> = (1..=seeds).filter_map(|seed| run(entry, scene, (whole, given), seed)).collect();
         let of = |of: fn(&Run) -> f64| median(runs.iter().map(of).collect());
         let rate = runs.iter().map(|run| run.extensions as f64).sum::<f64>() / runs.iter().map(|run| run.seconds).sum::<f64>();
-        let label = given.iter().fold(name.to_owned(), |label, (name, value)| format!("{label} {name}={value}"));
+        let name = format!("{name}, {}", if whole { "arm" } else { "tip" });
+        let label = given.iter().fold(name, |label, (name, value)| format!("{label} {name}={value}"));
         let worst = runs.iter().map(|run| run.finished).fold(f64::NAN, f64::max);
         println!(
-            "{label:26} {:>6} {rate:>13.0} {:>14.4} {:>7.0} {:>8.4} {:>10.4} {worst:>9.4} {:>13.3} {:>14.2}",
+            "{label:30} {:>6} {rate:>13.0} {:>14.4} {:>7.0} {:>8.4} {:>10.4} {worst:>9.4} {:>13.3} {:>14.2}",
             runs.len(),
             1e3 * of(|run| run.first),
             of(|run| run.nodes),
@@ -132,7 +144,7 @@ fn trees(scene: &Arc<Scene>, seeds: u64) {
     }
     if scene.name() == "arm-bench" {
         for (name, ms, nodes) in OMPL {
-            println!("{:26} {:>6} {:>13} {ms:>14.4} {nodes:>7} {:>8} {:>10.2}", format!("OMPL 1.5.2 {name}"), "", "", "", 1.40);
+            println!("{:30} {:>6} {:>13} {ms:>14.4} {nodes:>7} {:>8} {:>10.2}", format!("OMPL 1.5.2 {name}"), "", "", "", 1.40);
         }
     }
 }

@@ -1,7 +1,7 @@
 // Random runs on several hosts: the same bits everywhere, or the same refusal. A table says how each host did; its last column is a hash
 // of all hashes, which is the same wherever nothing differs.
 //   node tests/hosts.mjs [--runs 10000] [--seed N] [--hosts debug,release,node,chromium,firefox,webkit] [--out ROWS.csv]
-// `debug` and `release` are target/debug/forage and target/release/forage, `node` and the browsers run the package in pkg/.
+// `debug` and `release` are those of cargo's target folder, `node` and the browsers run the package in pkg/.
 import { spawn } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
@@ -19,7 +19,9 @@ export function drawn(seed, runs) {
   return Array.from({ length: runs }, () => {
     const { planner, scene, params, seed: number } = setupOf(random, true)
     const plain = Object.entries(params).filter(([, value]) => ['number', 'string', 'boolean'].includes(typeof value))
-    return { planner, scene, params: Object.fromEntries(plain), seed: number }
+    // Fuzzing takes few iterations, for many runs in a second.
+    const longer = plain.map(([name, value]) => [name, name === 'iterations' && value > 0 && value <= 12 ? 8 * value : value])
+    return { planner, scene, params: Object.fromEntries(longer), seed: number }
   })
 }
 
@@ -56,8 +58,9 @@ export function program(path) {
       for (const name of ['stdout', 'stderr']) child[name].setEncoding('utf8').on('data', (text) => (texts[name] += text))
       child.once('error', reject)
       child.once('close', (status) => {
+        const hash = /^ {2}"hash": "([0-9a-f]+)"/m.exec(texts.stdout)?.[1]
         if (status === 2) resolve(refusedFor({ text: texts.stderr }))
-        else if (status === 0 || status === 1) resolve(hashed(/^ {2}"hash": "([0-9a-f]+)"/m.exec(texts.stdout)?.[1]))
+        else if (hash !== undefined && status <= 1) resolve(hashed(hash))
         else resolve(broken(`exit code ${status}: ${texts.stderr.slice(-500)}`))
       })
     })
@@ -119,10 +122,11 @@ async function inBrowser(start) {
 }
 
 const engines = () => import('../www/tests/support/engines.mjs')
+const target = process.env.CARGO_TARGET_DIR ?? `${root}target`
 /** All hosts by their names. */
 export const HOSTS = {
-  debug: () => program(process.env.FORAGE ?? `${root}target/debug/forage`),
-  release: () => program(`${root}target/release/forage`),
+  debug: () => program(process.env.FORAGE ?? `${target}/debug/forage`),
+  release: () => program(`${target}/release/forage`),
   node,
   chromium: async () => inBrowser((await engines()).chromium),
   firefox: async () => inBrowser((await engines()).ENGINES.firefox),

@@ -31,12 +31,22 @@ pub(super) struct Carrier {
 }
 
 impl Carrier {
-    /// Of a scene's arm; `None` where it has no posture at start or goal that touches nothing.
-    pub(super) fn new(scene: &Arc<ArmScene>) -> Option<Self> {
-        let nearest = |field, tip, near: &Posture| free_postures(field, scene, tip, near, 0.0).ok().map(|found| found[0]);
+    /// Of a scene's arm. It begins in the posture nearest to home that touches nothing; what comes from the goal begins in the one nearest
+    /// to that.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for `start` or `goal` without such a posture.
+    pub(super) fn new(scene: &Arc<ArmScene>) -> Result<Self, Error> {
+        let nearest = |field, tip, near: &Posture| match free_postures(field, scene, tip, near, 0.0) {
+            Err(Error::Refused { field, value, allowed }) => {
+                let allowed = message!("tree-reachable-or", "{allowed}; or `reachable=false`, with which only the tip counts", allowed);
+                Err(Error::Refused { field, value, allowed })
+            }
+            found => found.map(|postures| postures[0]),
+        };
         let start = nearest("start", scene.start, &scene.arm.home())?;
         let goal = nearest("goal", scene.goal, &start)?;
-        Some(Self { ends: [start, goal], scene: Arc::clone(scene), holding: Holding::new(&scene.arm) })
+        Ok(Self { ends: [start, goal], scene: Arc::clone(scene), holding: Holding::new(&scene.arm) })
     }
 
     /// The posture at the start, and one at the goal.
@@ -45,14 +55,15 @@ impl Carrier {
     }
 
     /// The posture at `b` where the tip goes straight there from `a`: the hand as it is held at `a`, or turned evenly to another on the
-    /// way, one that is near. With `to` it is that one.
+    /// way, one that is near. With `to` both postures are given, by their hands: the other joints follow from where the tip is.
     pub(super) fn carry(&self, a: &[f64; 3], from: &Posture, b: &[f64; 3], to: Option<&Posture>) -> Option<Posture> {
         let links = Links::new(&self.scene, 0.0);
         let held = |posture: &Posture| self.holding.hand([posture[3], posture[4], posture[5]]);
-        let goes = |to: &Posture| self.goes(&links, [a, b], from, to);
         if let Some(to) = to {
-            return self.holding.nearest(&held(to), *b, to).filter(goes);
+            let from = self.holding.nearest(&held(from), *a, from)?;
+            return self.holding.nearest(&held(to), *b, to).filter(|to| self.goes(&links, [a, b], &from, to));
         }
+        let goes = |to: &Posture| self.goes(&links, [a, b], from, to);
         if let Some(next) = self.holding.nearest(&held(from), *b, from).filter(goes) {
             return Some(next);
         }
@@ -71,10 +82,13 @@ impl Carrier {
     fn goes(&self, links: &Links, [a, b]: [&[f64; 3]; 2], from: &Posture, to: &Posture) -> bool {
         let pieces = (distance(a, b) / SPACING).ceil().max(1.0);
         let mut before = *from;
+        let held = |posture: &Posture| self.holding.hand([posture[3], posture[4], posture[5]]);
+        // Mostly it is not turned at all.
+        let still = if from[3..] == to[3..] { Some(held(from)) } else { None };
         (1..=pieces as usize).all(|i| {
             let share = i as f64 / pieces;
             let guess: Posture = std::array::from_fn(|j| from[j] + share * (to[j] - from[j]));
-            let hand = || self.holding.hand([guess[3], guess[4], guess[5]]);
+            let hand = || still.unwrap_or_else(|| held(&guess));
             let next = if i as f64 == pieces { Some(*to) } else { self.holding.nearest(&hand(), between(a, b, share), &guess) };
             let Some(next) = next.filter(|next| next.iter().zip(before).all(|(x, y)| (x - y).abs() <= TURN)) else { return false };
             let free = links.motion_is_free(&before, &next, RESOLUTION);

@@ -71,7 +71,10 @@ impl SampleOutcome {
                 message!("tree-sample-doubles-back", "The new node would have been nearer to another node than to its parent.")
             }
             Self::Unreachable => {
-                message!("tree-sample-unreachable", "The arm has no posture with which it would get there without touching anything.")
+                message!(
+                    "tree-sample-unreachable",
+                    "The arm did not get there without touching anything, neither with its hand as it was nor with it turned a little."
+                )
             }
         }
     }
@@ -108,7 +111,7 @@ impl<const N: usize> Nodes for Seen<'_, N> {
 }
 
 /// What is explained, in any number of dimensions: the code is there once.
-struct Told<'a> {
+struct Explainer<'a> {
     nodes: &'a dyn Nodes,
     births: &'a [Birth],
     iteration: u64,
@@ -130,7 +133,7 @@ struct Summary {
 }
 
 impl<const N: usize> Seen<'_, N> {
-    fn told(&self) -> Told<'_> {
+    fn explainer(&self) -> Explainer<'_> {
         let (forest, task, last) = (self.forest, self.task, &self.forest.last);
         let goal = task.goal();
         // Nothing was drawn before there is a node.
@@ -143,7 +146,7 @@ impl<const N: usize> Seen<'_, N> {
             share,
             outcome,
         });
-        Told {
+        Explainer {
             nodes: self,
             births: &forest.births,
             iteration: forest.iteration,
@@ -157,21 +160,21 @@ impl<const N: usize> Seen<'_, N> {
 
     /// What can be said from the present state: of samples of the last extension, and of a root.
     pub(super) fn explain(&self, item: Item) -> Option<Inspection> {
-        self.told().explain(item)
+        self.explainer().explain(item)
     }
 
     /// How the newest node came about: the state is that after the step.
     pub(super) fn tell_birth(&self, item: Item) -> Option<Inspection> {
-        self.told().tell_birth(item)
+        self.explainer().tell_birth(item)
     }
 
     /// What would have grown instead of a node: the first of those from `index` on, if there is one.
     pub(super) fn tell_supposed(&self, item: Item, index: usize) -> Inspection {
-        self.told().tell_supposed(item, index)
+        self.explainer().tell_supposed(item, index)
     }
 }
 
-impl Told<'_> {
+impl Explainer<'_> {
     fn explain(&self, item: Item) -> Option<Inspection> {
         match item.layer {
             layer if layer == layers::SAMPLES.key => self.tell_sample(item),

@@ -2,7 +2,11 @@
 
 use crate::kernel::State;
 
-use super::{nearest::Nearest, space::Carried, vector::distance};
+use super::{
+    nearest::Nearest,
+    space::{Carried, Load},
+    vector::distance,
+};
 
 /// No node.
 pub(super) const NONE: u32 = u32::MAX;
@@ -15,9 +19,8 @@ pub struct Tree<const N: usize> {
     pub(super) parents: Vec<u32>,
     /// The length of the way from the root.
     pub(super) costs: Vec<f64>,
-    /// What each node carries, where they carry anything; follows from the rest.
-    #[state(skip)]
-    pub(super) carried: Vec<Carried>,
+    /// What each node carries, where they carry anything.
+    pub(super) carried: Load,
     #[state(skip)]
     index: Nearest<N>,
 }
@@ -25,7 +28,7 @@ pub struct Tree<const N: usize> {
 impl<const N: usize> Tree<N> {
     /// A tree without nodes.
     pub(super) fn new() -> Self {
-        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), carried: Vec::new(), index: Nearest::new() }
+        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), carried: Load::default(), index: Nearest::new() }
     }
 
     /// How many nodes.
@@ -85,8 +88,17 @@ impl<const N: usize> Tree<N> {
 
     /// The points from a root to a node.
     pub fn path_to(&self, node: usize) -> Vec<[f64; N]> {
-        let mut path: Vec<_> = std::iter::successors(Some(node), |&node| self.parent(node)).map(|node| self.points[node]).collect();
-        path.reverse();
-        path
+        self.along(node).map(|node| self.points[node]).collect()
+    }
+
+    /// What is carried at each of these points; empty where nothing is.
+    pub fn carried_to(&self, node: usize) -> Vec<Carried> {
+        self.along(node).filter_map(|node| self.carried.0.get(node).copied()).collect()
+    }
+
+    /// The nodes from a root to one.
+    fn along(&self, node: usize) -> impl Iterator<Item = usize> {
+        let up: Vec<_> = std::iter::successors(Some(node), |&node| self.parent(node)).collect();
+        up.into_iter().rev()
     }
 }

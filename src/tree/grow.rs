@@ -97,6 +97,16 @@ pub(super) struct Birth {
     pub(super) iteration: u32,
 }
 
+/// A straight piece that is free.
+#[derive(Debug, Clone, Copy, State)]
+struct Piece<const N: usize> {
+    tree: usize,
+    node: usize,
+    to: [f64; N],
+    /// What is carried there.
+    carried: Carried,
+}
+
 /// Two trees and what came of growing them: what a [`Method`](super::Method) works on. Tree 0 grows from the start; tree 1 has nodes
 /// only where one grows from the goals.
 #[derive(Debug, Clone, State)]
@@ -115,9 +125,9 @@ pub struct Forest<const N: usize> {
     /// Whose it is.
     pub(super) nearest_node: usize,
     pub(super) iteration: u64,
-    /// What is carried to the point that was tested last and is free.
+    /// What is carried over the piece that was tested last and is free.
     #[state(skip)]
-    carried: Option<Carried>,
+    carried: Option<Piece<N>>,
 }
 
 impl<const N: usize> Forest<N> {
@@ -159,14 +169,18 @@ impl<const N: usize> Forest<N> {
     /// Adds a root to a tree.
     pub(super) fn root(&mut self, task: &Task<N>, tree: usize, point: [f64; N]) {
         let node = self.trees[tree].root(point);
-        self.trees[tree].carried.extend(task.space.carried().map(|ends| ends[tree]));
+        self.trees[tree].carried.0.extend(task.space.carried().map(|ends| ends[tree]));
         self.note(task, tree, node);
     }
 
-    /// Adds a child to a node of a tree; its number. The straight piece between them must be free: what [`test`](Self::test) was asked last
-    /// of those that are `Taken`.
+    /// Adds a child to a node of a tree; its number. The straight piece between them must be free: [`test`](Self::test) says so.
     pub fn add(&mut self, task: &Task<N>, tree: usize, point: [f64; N], parent: usize) -> usize {
-        self.trees[tree].carried.extend(self.carried.take());
+        let Tree { points, carried, .. } = &self.trees[tree];
+        let carried = carried.0.get(parent).map(|from| match self.carried {
+            Some(piece) if (piece.tree, piece.node, piece.to) == (tree, parent, point) => piece.carried,
+            _ => task.space.carry(&points[parent], from, &point, None).unwrap_or(*from),
+        });
+        self.trees[tree].carried.0.extend(carried);
         let node = self.trees[tree].add(point, parent);
         self.note(task, tree, node);
         self.last.added = true;
@@ -197,16 +211,16 @@ impl<const N: usize> Forest<N> {
             return SampleOutcome::Outside;
         }
         self.tested += 1;
-        let tree = &self.trees[tree];
-        let from = &tree.points[node];
+        let Tree { points, carried, .. } = &self.trees[tree];
+        let from = &points[node];
         if !task.space.is_free(from, to) {
             return SampleOutcome::Blocked;
         }
-        if let Some(carried) = tree.carried.get(node) {
-            let Some(there) = task.space.carry(from, carried, to, other.map(|other| &tree.carried[other])) else {
+        if let Some(at) = carried.0.get(node) {
+            let Some(carried) = task.space.carry(from, at, to, other.map(|other| &carried.0[other])) else {
                 return SampleOutcome::Unreachable;
             };
-            self.carried = Some(there);
+            self.carried = Some(Piece { tree, node, to: *to, carried });
         }
         SampleOutcome::Taken
     }
@@ -244,16 +258,18 @@ impl<const N: usize> Forest<N> {
         if distance(&point, &goal) > task.step || self.test(task, 0, node, &goal) != SampleOutcome::Taken {
             return false;
         }
-        let mut path = self.trees[0].path_to(node);
+        let (mut path, mut carried) = (self.trees[0].path_to(node), self.trees[0].carried_to(node));
         if point != goal {
             path.push(goal);
+            carried.extend(self.carried.map(|piece| piece.carried));
         }
-        self.keep(path);
+        self.keep(path, carried);
         true
     }
 
-    /// Keeps a path from start to goal whose pieces are free: the result.
-    pub fn keep(&mut self, path: Vec<[f64; N]>) {
-        self.found = Some(Arc::new(Found::new(path, self.iteration)));
+    /// Keeps a path from start to goal whose pieces are free, with what is carried at each of its points where anything is: the result.
+    pub fn keep(&mut self, path: Vec<[f64; N]>, carried: Vec<Carried>) {
+        assert!(carried.is_empty() || carried.len() == path.len(), "something is carried at each point, or at none");
+        self.found = Some(Arc::new(Found::new(path, carried, self.iteration)));
     }
 }

@@ -40,7 +40,7 @@ pub(super) const REACHABLE: Param<bool> = Param::flag(
     "reachable",
     "Reachable",
     true,
-    "Grow only where the arm can go along: a posture for each node, from which the whole arm gets to the next without touching anything. In the paper only the tip counts.",
+    "Grow only where the arm can go along: a posture for each node, from which the whole arm gets to the next without touching anything. Two trees that meet grow on unless the arm gets from one to the other. In the paper only the tip counts.",
 )
 .only_on(&[ARM]);
 pub(super) const BIAS: Param<f64> = Param::number(
@@ -105,7 +105,7 @@ pub(super) const BLEND: Param<f64> = Param::number(
 .when(SMOOTH, "true")
 .slider(0.1, 20.0, false);
 
-/// What a planner makes of its path; its own parameters come before.
+/// The margin of the tip, whether the arm goes along, and what a planner makes of its path; its own parameters come before.
 pub(super) const FINISH: &[Parameter] =
     &[MARGIN.entry(), REACHABLE.entry(), SHORTEN.entry(), POLYLINE.entry(), TOLERANCE.entry(), SMOOTH.entry(), BLEND.entry()];
 

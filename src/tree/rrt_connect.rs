@@ -11,7 +11,7 @@ use crate::{
 use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Forest, Source},
+    grow::{Forest, SampleOutcome, Source},
     method::{Method, Trees},
     parameters::{FINISH, FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP},
     space::{self, Space},
@@ -38,7 +38,7 @@ const CASES: &[Case] = &[
 /// What it does, with the numbers of the iteration.
 const PSEUDOCODE: &[&str] = &[
     "one tree begins at the start, one at the goal",
-    "repeat until they meet:",
+    "repeat until a path leads through both:",
     "  draw a random point; the nearest node of one tree takes a step of @step_size@ toward it",
     "  if that is free: the other tree goes straight for the new node, as far as it can",
     "  the trees change places",
@@ -51,7 +51,7 @@ pub const ENTRY: Entry = Entry::new(
     "rrt-connect",
     "RRT-Connect: two trees",
     "Kuffner and LaValle 2000",
-    "A tree grows from the start and one from the goal. One takes a step towards a random point; the other then goes straight for the new node, step by step, as far as it can. They change places until they meet.",
+    "A tree grows from the start and one from the goal. One takes a step towards a random point; the other then goes straight for the new node, step by step, as far as it can. They change places until a path leads through both.",
     |start| space::start(start, on),
 )
 .family("tree")
@@ -99,18 +99,8 @@ impl<const N: usize> Method<N> for Connect {
         let target = forest.trees[explorer].points[newest];
         match forest.extend(task, target, true) {
             Some(node) if forest.trees[other].points[node] == target => {
-                let mut ways = [forest.trees[explorer].path_to(newest), forest.trees[other].path_to(node)];
-                if explorer == 1 {
-                    ways.reverse();
-                }
-                let [mut path, mut rest] = ways;
-                rest.pop();
-                rest.reverse();
-                path.append(&mut rest);
-                // Each tree has its own posture where they meet: the start's must be one with which the arm gets on to the goal.
-                if task.carried(&path).is_some() {
-                    forest.keep(path);
-                } else {
+                let (of_start, of_goal) = if explorer == 0 { (newest, node) } else { (node, newest) };
+                if !join(forest, task, of_start, of_goal) {
                     (self.newest, self.explorer) = (None, other);
                 }
             }
@@ -118,4 +108,23 @@ impl<const N: usize> Method<N> for Connect {
             None => (self.newest, self.explorer) = (None, other),
         }
     }
+}
+
+/// Keeps the path over a node of each tree, both in one place. Something else may be carried there by each: what the start's tree carries
+/// has to get on to the goal. Whether it does.
+fn join<const N: usize>(forest: &mut Forest<N>, task: &Task<N>, of_start: usize, of_goal: usize) -> bool {
+    let (mut path, mut carried) = (forest.trees[0].path_to(of_start), forest.trees[0].carried_to(of_start));
+    for point in forest.trees[1].path_to(of_goal).into_iter().rev().skip(1) {
+        if let Some(at) = carried.last() {
+            forest.tested += 1;
+            let Some(there) = task.space.carry(&path[path.len() - 1], at, &point, None) else {
+                forest.record(point, SampleOutcome::Unreachable);
+                return false;
+            };
+            carried.push(there);
+        }
+        path.push(point);
+    }
+    forest.keep(path, carried);
+    true
 }

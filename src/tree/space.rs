@@ -6,7 +6,7 @@ use crate::{
     arm::{self, ArmScene},
     describe::Start,
     geometry::Cuboid,
-    kernel::{Error, Plane, Scene, Solution, Started},
+    kernel::{Digest, Error, Plane, Scene, Solution, Started, State},
     message,
     params::Parameters,
     scene::{ARM, DISCS, DiscsScene, GRID, GridScene},
@@ -19,6 +19,22 @@ use super::{
 
 /// What a node carries besides its coordinates, such as an arm's posture.
 pub type Carried = [f64; 6];
+
+/// What is carried at each of several points, or nothing at all: that adds nothing to a run's hash.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Load(pub(super) Vec<Carried>);
+
+impl State for Load {
+    fn digest(&self, out: &mut Digest) {
+        if !self.0.is_empty() {
+            self.0.digest(out);
+        }
+    }
+
+    fn heap_size(&self) -> usize {
+        self.0.heap_size()
+    }
+}
 
 /// A box in N dimensions with obstacles, a start and goals. All of it stays the same while a tree grows.
 pub trait Space<const N: usize>: Send + Sync {
@@ -34,8 +50,9 @@ pub trait Space<const N: usize>: Send + Sync {
     fn carried(&self) -> Option<[Carried; 2]> {
         None
     }
-    /// What is carried to `b` where one goes straight there from `a`, where it is `from`; `None` where it cannot be. With `to` it is to be
-    /// that at `b`. Asked where [`is_free`](Self::is_free), if there is anything to carry.
+    /// What is carried to `b` where one goes straight there from `a`, where it is `from`; `None` where it cannot be. With `to` it is that
+    /// at `b`, and both may be means of what is carried at other points: then they count as what is nearest to them. Called where
+    /// [`is_free`](Self::is_free), if there is anything to carry.
     fn carry(&self, a: &[f64; N], from: &Carried, b: &[f64; N], to: Option<&Carried>) -> Option<Carried> {
         let _ = (a, b, to);
         Some(*from)
@@ -97,7 +114,7 @@ pub(super) fn of_scene(scene: &Scene, margin: f64, reachable: bool) -> Result<Ar
             let plane = scene.share::<GridScene>()?;
             Arc::new(Flat { extent: Extent::of(&*plane, plane.cell)?, plane })
         }
-        ARM => Arc::new(Workspace::new(scene.share()?, margin, reachable)),
+        ARM => Arc::new(Workspace::new(scene.share()?, margin, reachable)?),
         other => return Err(Error::refused("kind", other.name(), message!("tree-kinds", "discs, grid or arm"))),
     })
 }
@@ -175,18 +192,18 @@ pub(super) fn room(point: [f64; 3], (axis, radius): (Cuboid, f64)) -> f64 {
 }
 
 impl Workspace {
-    fn new(arm: Arc<ArmScene>, margin: f64, reachable: bool) -> Self {
+    fn new(arm: Arc<ArmScene>, margin: f64, reachable: bool) -> Result<Self, Error> {
         // Start and goal are free, however near: half of their room is left.
         let rooms = [arm.start, arm.goal].into_iter().flat_map(|end| arm.obstacles().map(move |obstacle| room(end, obstacle)));
         let margin = rooms.fold(margin, |margin, room| margin.min(room / 2.0));
         let grown = |cuboid: &Cuboid| Cuboid { min: cuboid.min.map(|x| x - margin), max: cuboid.max.map(|x| x + margin) };
-        Self {
+        Ok(Self {
             goal: [arm.goal],
             margin,
             grown: arm.cuboids.iter().map(grown).collect(),
-            carrier: if reachable { Carrier::new(&arm) } else { None },
+            carrier: if reachable { Some(Carrier::new(&arm)?) } else { None },
             arm,
-        }
+        })
     }
 }
 

@@ -12,7 +12,7 @@ use super::{
     finish::Finish,
     parameters::{ITERATIONS, STEP},
     sample::uniform,
-    space::{Carried, Space},
+    space::Space,
     vector::{distance, minus},
 };
 
@@ -59,16 +59,6 @@ impl<const N: usize> Task<N> {
     /// The first goal, for methods that know one only.
     pub fn goal(&self) -> [f64; N] {
         self.space.goals()[0]
-    }
-
-    /// What is carried at each point of a path from the start; empty where there is nothing to carry, `None` where it cannot be.
-    pub(super) fn carried(&self, path: &[[f64; N]]) -> Option<Vec<Carried>> {
-        let Some([first, _]) = self.space.carried() else { return Some(Vec::new()) };
-        let mut all = vec![first];
-        for pair in path.windows(2) {
-            all.push(self.space.carry(&pair[0], &all[all.len() - 1], &pair[1], None)?);
-        }
-        Some(all)
     }
 
     /// Whether a point lies in the box.

@@ -117,17 +117,22 @@ fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
 
 /// Whether a node's posture has its tip there, within the limits, and the arm gets to it from its parent's with the tip straight on and
 /// without touching anything.
-fn goes_along(arm: &ArmScene, tree: &Tree<3>, node: usize) -> bool {
-    let (posture, from) = (&tree.carried[node], &tree.carried[tree.parent(node).unwrap_or(node)]);
+fn goes_along(arm: &ArmScene, task: &Task<3>, tree: &Tree<3>, node: usize) -> bool {
+    let parent = tree.parent(node).unwrap_or(node);
+    let ([posture, from], [there, here]) = ([&tree.carried.0[node], &tree.carried.0[parent]], [&tree.points[node], &tree.points[parent]]);
     let within = |(joint, angle): (&Joint, f64)| (joint.min - 1e-9..=joint.max + 1e-9).contains(&angle);
-    // What a step of the usual size takes is one motion of the joints; longer ways of neighbours are several.
-    let short = tree.parent(node).is_none_or(|parent| distance(&tree.points[parent], &tree.points[node]) < 0.035);
     let tips = tip_path(&arm.arm, &[*from, *posture]);
     let way: f64 = tips.windows(2).map(|w| distance(&w[0], &w[1])).sum();
-    distance(&arm.arm.skeleton(posture)[4], &tree.points[node]) < 1e-9
+    // What a step of the usual size takes is one motion of the joints; longer ways of neighbours are several.
+    let gets_there = if distance(there, here) < 0.035 {
+        way - distance(&tips[0], &tips[tips.len() - 1]) < 2e-3 && motion_is_free(arm, from, posture, 0.0, 1e-3)
+    } else {
+        task.space.carry(here, from, there, Some(posture)).is_some_and(|to| distance(&to, posture) < 1e-9)
+    };
+    distance(&arm.arm.skeleton(posture)[4], there) < 1e-9
         && arm.arm.joints.iter().zip(degrees(posture)).all(within)
         && motion_is_free(arm, posture, posture, 0.0, 1e-3)
-        && (!short || (way - distance(&tips[0], &tips[tips.len() - 1]) < 2e-3 && motion_is_free(arm, from, posture, 0.0, 1e-3)))
+        && gets_there
 }
 
 /// Runs a planner and looks at the tree after every step.
@@ -148,10 +153,10 @@ fn watch<M: Method<3>>(mut grown: Trees<3, M>, steps: usize, scene: &Scene) {
     assert_eq!(forest.births.len(), forest.trees[0].len() + forest.trees[1].len());
     for tree in &forest.trees {
         let arm = scene.get::<ArmScene>().ok();
-        assert_eq!(tree.carried.len(), if arm.is_some() { tree.len() } else { 0 });
+        assert_eq!(tree.carried.0.len(), if arm.is_some() { tree.len() } else { 0 });
         for node in 0..tree.len() {
             assert!(task.contains(&tree.points[node]));
-            assert!(arm.is_none_or(|arm| goes_along(arm, tree, node)));
+            assert!(arm.is_none_or(|arm| goes_along(arm, &task, tree, node)));
             let Some(parent) = Some(tree.parents[node]).filter(|&parent| parent != NONE) else {
                 assert_eq!(tree.costs[node], 0.0);
                 continue;
@@ -168,6 +173,11 @@ fn watch<M: Method<3>>(mut grown: Trees<3, M>, steps: usize, scene: &Scene) {
         let path = &found.finished(&task).path;
         assert_eq!((path[0], path[path.len() - 1]), (task.start, task.goal()));
         assert!(path.windows(2).all(|w| task.space.is_free(&w[0], &w[1])), "{}", scene.name());
+        // The arm gets along all of what was found, from posture to posture.
+        assert_eq!(found.carried.0.len(), if scene.kind() == ARM { found.raw.len() } else { 0 });
+        for (points, postures) in found.raw.windows(2).zip(found.carried.0.windows(2)) {
+            assert!(task.space.carry(&points[0], &postures[0], &points[1], Some(&postures[1])).is_some(), "{}", scene.name());
+        }
         let lengths = [&found.raw, &found.finished(&task).short].map(|path| vector::length(path));
         assert!(lengths[1] <= lengths[0] * (1.0 + 1e-12), "{lengths:?}");
     }
@@ -189,6 +199,26 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
                 }
             }
         }
+    }
+}
+
+/// A goal inside the workspace that no posture reaches: refused, unless only the tip counts.
+#[test]
+fn a_goal_out_of_the_arms_reach_is_refused_unless_only_the_tip_counts() {
+    let mut json: serde_json::Value = serde_json::from_str(&shipped("arm-cuboid").unwrap().to_json()).unwrap();
+    json["goal"] = serde_json::json!([1.19, 1.09, 0.69]);
+    let scene = Arc::new(standard().read_scene(&json.to_string()).unwrap());
+    for planner in TREES {
+        let setup = |reachable: bool| Setup {
+            planner: planner.into(),
+            scene: Arc::clone(&scene),
+            params: [("reachable", Value::Flag(reachable))].into_iter().collect(),
+            seed: 1,
+        };
+        let error = Run::new(standard(), setup(true)).err().unwrap();
+        assert_eq!(error.field(), "goal", "{planner}");
+        assert!(error.allowed().ends_with("; or `reachable=false`, with which only the tip counts"), "{error}");
+        assert!(Run::new(standard(), setup(false)).is_ok(), "{planner}");
     }
 }
 

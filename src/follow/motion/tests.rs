@@ -299,21 +299,20 @@ fn of_random_lines_every_motion_keeps_the_promises() {
     assert!(free >= 20, "{free} of 30");
 }
 
-/// How many of the paths that a tree finds past the cuboid the arm follows, seed by seed: nothing touches anything all the way, and no
-/// joint jumps.
-fn free_of(planner: &str, seeds: std::ops::RangeInclusive<u64>, params: &[(&'static str, Value)]) -> u32 {
+/// How many of the paths that a tree finds on a scene the arm follows, seed by seed: nothing touches anything all the way, and no joint
+/// jumps.
+fn free_of(planner: &str, scene: &str, seeds: std::ops::RangeInclusive<u64>, params: &[(&'static str, Value)]) -> u32 {
     let mut free = 0;
     for seed in seeds {
-        let setup = Setup { planner: planner.to_owned(), scene: shipped("arm-cuboid").unwrap(), params: given(params), seed };
+        let setup = Setup { planner: planner.to_owned(), scene: shipped(scene).unwrap(), params: given(params), seed };
         let mut run = Run::with_keyframes(standard(), setup, 0).unwrap();
         run.step(run.limit());
         let outcome = run.outcome();
         assert!(outcome.feasible, "{planner}, seed {seed}");
         let &MotionOutcome { arrived, free: is_free, touched_at, largest_step, max_error, .. } = outcome.followed.get().unwrap();
         // What is not free says when it touches.
-        assert!(arrived && is_free == touched_at.is_none(), "seed {seed}");
-        assert!(!is_free || (largest_step < 10.0 && max_error < 1e-3), "seed {seed}: {largest_step}° {max_error}");
-        free += u32::from(is_free);
+        assert_eq!(is_free, touched_at.is_none(), "seed {seed}");
+        free += u32::from(arrived && is_free && largest_step < 20.0 && max_error < 1e-3);
     }
     free
 }
@@ -321,13 +320,19 @@ fn free_of(planner: &str, seeds: std::ops::RangeInclusive<u64>, params: &[(&'sta
 /// Trees that ask the arm at each node: it follows nearly all. Those that ask the tip alone, as in the paper: not so.
 #[test]
 fn the_arm_follows_what_trees_find_that_ask_it() {
-    let guided = free_of("rrt-guided", 1..=100, &[]);
+    let guided = free_of("rrt-guided", "arm-cuboid", 1..=100, &[]);
     assert!(guided >= 99, "{guided} of 100");
-    for (planner, seeds) in [("rrt", 10), ("rrt-connect", 40), ("rrt-star", 8)] {
-        assert_eq!(u64::from(free_of(planner, 1..=seeds, &[])), seeds, "{planner}");
+    for (planner, seeds) in [("rrt", 6), ("rrt-connect", 40), ("rrt-star", 3)] {
+        assert_eq!(u64::from(free_of(planner, "arm-cuboid", 1..=seeds, &[])), seeds, "{planner}");
     }
-    let of_the_tip = free_of("rrt-star", 10..=18, &[("reachable", Value::Flag(false))]);
-    assert!(of_the_tip < 5, "{of_the_tip} of 9");
-    let of_the_tip = free_of("rrt-guided", 1..=20, &[("reachable", Value::Flag(false))]);
+    for planner in ["rrt-guided", "rrt-connect"] {
+        for scene in ["arm-bench", "arm-puma"] {
+            let free = free_of(planner, scene, 1..=20, &[]);
+            assert!(free >= 19, "{planner}, {scene}: {free} of 20");
+        }
+    }
+    let of_the_tip = free_of("rrt-star", "arm-cuboid", 10..=13, &[("reachable", Value::Flag(false))]);
+    assert!(of_the_tip < 2, "{of_the_tip} of 4");
+    let of_the_tip = free_of("rrt-guided", "arm-cuboid", 1..=20, &[("reachable", Value::Flag(false))]);
     assert!((15..20).contains(&of_the_tip), "{of_the_tip} of 20");
 }
