@@ -36,6 +36,7 @@ impl Holding {
     }
 
     /// A hand with these angles.
+    #[inline(never)]
     pub(crate) fn hand(&self, angles: [f64; 3]) -> Hand {
         let [a, b, c] = angles;
         let tip = Point3::from(self.arm.skeleton(&[0.0, 0.0, 0.0, a, b, c])[4]);
@@ -99,6 +100,7 @@ impl Holding {
     }
 
     /// The posture of [`Holding::reach`] that is nearest to `near`.
+    #[inline(never)]
     pub(crate) fn nearest(&self, hand: &Hand, point: [f64; 3], near: &Posture) -> Option<Posture> {
         let mut best = None;
         self.reach(hand, point, near, &mut |posture| {

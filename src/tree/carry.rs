@@ -79,6 +79,7 @@ impl Carrier {
     }
 
     /// Whether the arm gets from one posture to another with the tip straight on and the hand turning evenly.
+    #[inline(never)]
     fn goes(&self, links: &Links, [a, b]: [&[f64; 3]; 2], from: &Posture, to: &Posture) -> bool {
         let pieces = (distance(a, b) / SPACING).ceil().max(1.0);
         let mut before = *from;

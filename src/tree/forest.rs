@@ -87,18 +87,22 @@ impl<const N: usize> Tree<N> {
     }
 
     /// The points from a root to a node.
+    #[inline(never)]
     pub fn path_to(&self, node: usize) -> Vec<[f64; N]> {
-        self.along(node).map(|node| self.points[node]).collect()
+        self.along(node).into_iter().map(|node| self.points[node]).collect()
     }
 
     /// What is carried at each of these points; empty where nothing is.
+    #[inline(never)]
     pub fn carried_to(&self, node: usize) -> Vec<Carried> {
-        self.along(node).filter_map(|node| self.carried.0.get(node).copied()).collect()
+        self.along(node).into_iter().filter_map(|node| self.carried.0.get(node).copied()).collect()
     }
 
     /// The nodes from a root to one.
-    fn along(&self, node: usize) -> impl Iterator<Item = usize> {
-        let up: Vec<_> = std::iter::successors(Some(node), |&node| self.parent(node)).collect();
-        up.into_iter().rev()
+    #[inline(never)]
+    fn along(&self, node: usize) -> Vec<usize> {
+        let mut all: Vec<_> = std::iter::successors(Some(node), |&node| self.parent(node)).collect();
+        all.reverse();
+        all
     }
 }

@@ -174,6 +174,7 @@ impl<const N: usize> Forest<N> {
     }
 
     /// Adds a child to a node of a tree; its number. The straight piece between them must be free: [`test`](Self::test) says so.
+    #[inline(never)]
     pub fn add(&mut self, task: &Task<N>, tree: usize, point: [f64; N], parent: usize) -> usize {
         let Tree { points, carried, .. } = &self.trees[tree];
         let carried = carried.0.get(parent).map(|from| match self.carried {
@@ -206,6 +207,7 @@ impl<const N: usize> Forest<N> {
     }
 
     /// The same to another node of that tree.
+    #[inline(never)]
     pub(super) fn test_to(&mut self, task: &Task<N>, tree: usize, node: usize, to: &[f64; N], other: Option<usize>) -> SampleOutcome {
         if !task.contains(to) {
             return SampleOutcome::Outside;
@@ -239,6 +241,7 @@ impl<const N: usize> Forest<N> {
 
     /// Extends the nearest node of the tree that was begun with towards a sample: by [ARM-RRT](crate#papers) (11) a whole step,
     /// or, where `clip` says so, no farther than the sample. The new node's number, if that is free.
+    #[inline(never)]
     pub fn extend(&mut self, task: &Task<N>, sample: [f64; N], clip: bool) -> Option<usize> {
         let tree = self.last.tree;
         let near = self.trees[tree].nearest(&sample);
@@ -253,6 +256,7 @@ impl<const N: usize> Forest<N> {
 
     /// Keeps the path over a node of tree 0 if the goal is no farther from it than a step and the piece between them is free. Whether
     /// that is so.
+    #[inline(never)]
     pub fn reach(&mut self, task: &Task<N>, node: usize) -> bool {
         let (point, goal) = (self.trees[0].points[node], task.goal());
         if distance(&point, &goal) > task.step || self.test(task, 0, node, &goal) != SampleOutcome::Taken {
@@ -268,8 +272,9 @@ impl<const N: usize> Forest<N> {
     }
 
     /// Keeps a path from start to goal whose pieces are free, with what is carried at each of its points where anything is: the result.
+    #[inline(never)]
     pub fn keep(&mut self, path: Vec<[f64; N]>, carried: Vec<Carried>) {
-        assert!(carried.is_empty() || carried.len() == path.len(), "something is carried at each point, or at none");
+        debug_assert!(carried.is_empty() || carried.len() == path.len(), "something is carried at each point, or at none");
         self.found = Some(Arc::new(Found::new(path, carried, self.iteration)));
     }
 }
