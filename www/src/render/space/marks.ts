@@ -2,11 +2,10 @@ import { fontOf } from '../canvas/letters'
 import type { ArmScene, Point3 } from 'forage-lab'
 import { whereIs } from '../../scene/arm'
 import type { Selection } from '../../scene/edits'
-import { space } from '../../locales/en/space'
 import { HANDLE, plate } from '../canvas/ground'
 import { arrow, MANY, SMALL } from '../canvas/inspection'
 import { applyStyle, isMarked, marked, type CanvasPen } from '../canvas/pen'
-import type { Detail } from '../display'
+import type { Detail, Display } from '../display'
 import { faceOf, facing, type Grip, isHidden, liftAt } from './handles'
 import type { Camera } from './camera'
 
@@ -21,10 +20,11 @@ export interface Marked {
   hover: Grip | null
   held: boolean
   blamed: Selection | null
+  words: Display['words']
 }
 
 /** Start and goal as in the plane, each on a stem that stands on the floor. */
-export function drawEnds(pen: CanvasPen, camera: Camera, { scene, selection, hover, blamed }: Marked): void {
+export function drawEnds(pen: CanvasPen, camera: Camera, { scene, selection, hover, blamed, words }: Marked): void {
   const { context, palette, size } = pen
   for (const kind of ['start', 'goal'] as const) {
     const at = scene[kind]
@@ -55,7 +55,7 @@ export function drawEnds(pen: CanvasPen, camera: Camera, { scene, selection, hov
     context.textBaseline = 'middle'
     const right = seen.x < size.width / 2
     context.textAlign = right ? 'right' : 'left'
-    plate(context, palette.get('--stage'), space[kind], seen.x + (right ? -13 : 13), seen.y - 10)
+    plate(context, palette.get('--stage'), words[kind], seen.x + (right ? -13 : 13), seen.y - 10)
   }
 }
 

@@ -60,9 +60,9 @@ export class RoomPainter {
     this.furnish(world, pen, display, frame, names)
     world.render()
     pen.context.drawImage(opened.canvas, 0, 0, size.width, size.height)
-    const { selection, grip: hover, held, blamed, faded, details, orbit } = display
+    const { selection, grip: hover, held, blamed, faded, details, orbit, words } = display
     const camera = new Camera(orbit, size)
-    const marked: Marked = { scene, selection, hover, held, blamed }
+    const marked: Marked = { scene, selection, hover, held, blamed, words }
     drawAxes(pen, camera, scene.workspace)
     if (details && !faded) drawDetails(pen, camera, scene, details)
     drawEnds(pen, camera, marked)
