@@ -39,7 +39,7 @@ const plain = (text: string): string =>
 const HAN = /[\u3400-\u9fff]/
 /** Two words in small letters are no name, nor are punctuation marks of English between Han. */
 const ENGLISH = /\b[a-z]{2,}[,;:.]? [a-z]{2,}/
-const MARKS = /[\u3400-\u9fff](?:, |; |: |\. )/
+const MARKS = /[\u3400-\u9fff](?:, |; |: |\.(?: |$))/
 /** Titles, authors and names of people and programs that are as they are printed. */
 const PRINTED = /^(?:[A-Z][\w.-]+(?:,? (?:and|et al\.|[A-Z][\w.-]*|\d{4}))*[;.,]? ?)+(?:\[[A-Z-]+\].*)?$/
 
