@@ -2,7 +2,8 @@
 //! first path, its nodes, the length of what is handed over; then forward and inverse kinematics a second, and how long it
 //! takes to follow a path.
 //!
-//! `cargo bench --bench trees` prints the tables, `cargo bench --bench trees -- rrt-guided` those of one planner. The time is that of a machine; only ratios mean something elsewhere.
+//! `cargo bench --bench trees` prints the tables, `cargo bench --bench trees -- rrt-guided` those of one planner. The time is
+//! that of a machine; only ratios mean something elsewhere.
 
 #![expect(clippy::disallowed_types, reason = "a benchmark tells time")]
 

@@ -56,6 +56,7 @@ pub(super) struct Finished<const N: usize> {
 
 /// As many coordinates as a path may have, and as may be carried along it.
 const MOST: usize = 12;
+/// As many numbers are carried.
 const CARRIED: usize = 6;
 /// What a radian of a posture counts as, in metres: so little that the length of a path is its tip's.
 const SCALE: f64 = 1e-6;

@@ -271,7 +271,8 @@ impl<const N: usize> Forest<N> {
         true
     }
 
-    /// Keeps a path from start to goal whose pieces are free, with what is carried at each of its points where anything is: the result.
+    /// Keeps a path from start to goal whose pieces are free, with what is carried at each of its points, or an empty list where nothing
+    /// is carried: the result.
     #[inline(never)]
     pub fn keep(&mut self, path: Vec<[f64; N]>, carried: Vec<Carried>) {
         debug_assert!(carried.is_empty() || carried.len() == path.len(), "something is carried at each point, or at none");

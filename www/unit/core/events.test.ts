@@ -10,10 +10,10 @@ const { events: words, roles } = closer.inspect
 /** Whether the page has a word, or the planner a title, for what happened to an item. */
 const isNamed = (planner: Planner, event: string): boolean => event in words || planner.events.some(({ name }) => name === event)
 
-test('what is told of an item of each planner, and what is marked for it, has a word in the page', () => {
+test('each event of an inspected item and each of its marks has a word in the page, for every planner', () => {
   const known = catalogue()
   const unnamed = new Set<string>()
-  let told = 0
+  let inspected = 0
   const cases = new Map(offered(known).map((offer) => [offer.planner, offer]))
   for (const { planner: name, scene, params, seed } of cases.values()) {
     const planner = known.planners.find((candidate) => candidate.name === name) as Planner
@@ -23,7 +23,7 @@ test('what is told of an item of each planner, and what is marked for it, has a 
         for (let index = 0; index < 3; index++) {
           const inspection = session.inspect({ role: layer.role, index })
           if (!inspection) continue
-          told++
+          inspected++
           if (!isNamed(planner, inspection.event)) unnamed.add(`${name}: ${inspection.event}`)
           for (const { role } of inspection.layers) {
             if (!(role in roles || `${layer.role} ${role}` in roles)) unnamed.add(`${name}: ${layer.role} ${role}`)
@@ -35,7 +35,7 @@ test('what is told of an item of each planner, and what is marked for it, has a 
     session.free()
   }
   expect([...unnamed]).toEqual([])
-  expect(told).toBeGreaterThan(500)
+  expect(inspected).toBeGreaterThan(500)
 })
 
 /** How the core’s explanations write what happened: in front of a sentence, in a call, one of two, of a list or of a match. */
