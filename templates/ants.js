@@ -1,10 +1,10 @@
-// Greedy ants: each goes to the next stop by pheromone and by nearness; the best one leaves a trail.
+// Greedy ants: each ant chooses the next stop by pheromone and nearness; the best ant of an iteration deposits pheromone.
 import { register } from 'forage-lab'
 
 register({
   name: 'my-ants',
   title: 'Greedy ants',
-  summary: 'Ants choose the next stop by pheromone and nearness; the shortest tour of an iteration leaves pheromone.',
+  summary: 'Ants choose the next stop by pheromone and nearness; the shortest tour of an iteration deposits pheromone.',
   kinds: ['tour'],
   parameters: [
     { name: 'ants', title: 'Ants', symbol: 'm', default: 20, min: 1, max: 200, integer: true },
@@ -13,10 +13,10 @@ register({
     { name: 'rho', title: 'Evaporation', symbol: '\\rho', default: 0.1, min: 0, max: 1 },
   ],
   layers: [
-    { name: 'trails', title: 'Trails', help: 'The tour that was shortest in this iteration.' },
+    { name: 'trails', title: 'Trails', help: 'The shortest tour of this iteration.' },
     { name: 'tour', title: 'Shortest', help: 'The shortest tour so far.' },
   ],
-  formulas: [{ name: 'choice', title: 'How likely a stop is the next', tex: 'p_j \\propto \\tau_{ij}^\\alpha / d_{ij}^\\beta' }],
+  formulas: [{ name: 'choice', title: 'Probability of the next stop', tex: 'p_j \\propto \\tau_{ij}^\\alpha / d_{ij}^\\beta' }],
 
   start({ scene, params, distance, math }) {
     const n = scene.points.length
@@ -53,7 +53,7 @@ register({
   },
 })
 
-/** A walk over all stops, from the first one. */
+/** A tour of all stops, from the first one. */
 function walk(n, pull, random) {
   const order = [0]
   const left = Array.from({ length: n - 1 }, (_, k) => k + 1)

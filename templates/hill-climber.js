@@ -1,19 +1,19 @@
-// A hill climber: it takes a random step, and keeps it if it leads down. Where does it get stuck?
+// Hill climber: takes a random step and keeps it if the cost falls. Where does it get stuck?
 import { register } from 'forage-lab'
 
 register({
   name: 'my-hill-climber',
   title: 'Hill climber',
-  summary: 'Takes a random step from where it is, and stays there unless the step leads down.',
+  summary: 'Takes a random step and keeps it if the cost falls.',
   kinds: ['function'],
-  parameters: [{ name: 'step', title: 'Step', symbol: 's', default: 0.05, min: 0.001, max: 1, help: 'The size of a step: a part of the side of the box.' }],
+  parameters: [{ name: 'step', title: 'Step', symbol: 's', default: 0.05, min: 0.001, max: 1, help: 'The step size as a fraction of the box’s side.' }],
   readings: [
     { name: 'cost', title: 'Cost', symbol: 'f', value: ({ cost }) => cost },
-    { name: 'kept', title: 'Steps kept', help: 'How many steps led down.', value: ({ kept }) => kept },
+    { name: 'kept', title: 'Steps kept', help: 'How many steps lowered the cost.', value: ({ kept }) => kept },
   ],
   layers: [
-    { name: 'particles', title: 'Tried', help: 'Where the last step led.' },
-    { name: 'best', title: 'Climber', help: 'Where it is.', pickable: true },
+    { name: 'particles', title: 'Tried', help: 'The position tried last.' },
+    { name: 'best', title: 'Climber', help: 'The current position.', pickable: true },
   ],
 
   start({ box, evaluate, random }) {
@@ -37,5 +37,5 @@ register({
     pen.points('best', [position])
   },
 
-  explain: ({ cost, kept }) => ({ summary: `It stays where it is until a step leads down; ${kept} steps did.`, values: { cost } }),
+  explain: ({ cost, kept }) => ({ summary: `It stays where it is until a step lowers the cost; ${kept} steps did.`, values: { cost } }),
 })

@@ -1,10 +1,10 @@
-// Particle swarm optimisation. This is the published planner `pso`, in 40 lines: it finds the same positions, bit by bit.
+// Particle swarm optimisation: the planner `pso` in 40 lines. It finds the same positions, bit by bit.
 import { register } from 'forage-lab'
 
 register({
   name: 'my-pso',
-  title: 'Particle swarm',
-  summary: 'Particles keep part of their velocity and are drawn to their own best and to the swarm’s.',
+  title: 'Particle swarm (PSO)',
+  summary: 'Particles keep part of their velocity and are drawn to their personal best and the global best.',
   kinds: ['function'],
   parameters: [
     { name: 'population', title: 'Population', symbol: 'N', default: 60, min: 1, max: 1000, integer: true },
@@ -32,7 +32,7 @@ register({
         const most = 0.2 * (box.high[j] - box.low[j])
         const v = clamp(w * particle.v[j] + c1 * r1 * (particle.p[j] - x) + c2 * r2 * (g.p[j] - x), -most, most)
         const reached = clamp(x + v, box.low[j], box.high[j])
-        // At the wall of the box it stops.
+        // It stops at the side of the box.
         particle.v[j] = reached === x + v ? v : 0
         return reached
       })
@@ -51,12 +51,12 @@ register({
     pen.points('best', [g.p])
   },
 
-  explain: ({ particles }, { index }) => ({ title: `Particle ${index + 1}`, summary: 'Its own best so far:', values: { cost: particles[index].cost } }),
+  explain: ({ particles }, { index }) => ({ title: `Particle ${index + 1}`, summary: 'Its personal best so far:', values: { cost: particles[index].cost } }),
 })
 
 const clamp = (x, low, high) => Math.min(high, Math.max(low, x))
 
-/** The personal best that is lowest. */
+/** The lowest personal best. */
 function lowest(particles, known = { cost: Infinity }) {
   let best = known
   for (const { p, cost } of particles) if (cost < best.cost) best = { p, cost }

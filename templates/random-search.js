@@ -1,13 +1,13 @@
-// Random search: the simplest planner there is. Anything that is to be called good has to be better than this.
+// Random search: the simplest planner. A good planner must find better solutions than this one.
 import { register } from 'forage-lab'
 
 register({
   name: 'my-random-search',
   title: 'Random search',
-  summary: 'Tries one random position after the other and keeps the best.',
+  summary: 'Tries random positions and keeps the best.',
   kinds: ['function'],
   layers: [
-    { name: 'particles', title: 'Tried', help: 'The position that was tried last.' },
+    { name: 'particles', title: 'Tried', help: 'The position tried last.' },
     { name: 'best', title: 'Best', help: 'The best so far.' },
   ],
 
@@ -27,7 +27,7 @@ register({
   // The best solution so far.
   best: ({ cost, position }) => ({ cost, position }),
 
-  // What there is to see.
+  // What is drawn.
   draw({ tried, position }, pen) {
     pen.points('particles', [tried])
     pen.points('best', [position])

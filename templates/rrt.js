@@ -1,14 +1,14 @@
-// RRT: a tree that grows from the start towards random points, until it reaches the goal. LaValle 1998.
+// RRT: a tree that grows from the start towards random points until it reaches the goal. LaValle 1998.
 import { register } from 'forage-lab'
 
 register({
   name: 'my-rrt',
-  title: 'Random tree',
-  summary: 'Grows a tree from the start: a random point draws the node that is nearest to it, by one step.',
+  title: 'Random tree (RRT)',
+  summary: 'Grows a tree from the start: the node nearest to a random point is extended towards it by one step.',
   kinds: ['discs', 'grid'],
   parameters: [
-    { name: 'step', title: 'Step', default: 0.05, min: 0.005, max: 0.5, help: 'A part of the longer side.' },
-    { name: 'goal_bias', title: 'Goal bias', default: 0.1, min: 0, max: 1, help: 'How often the point is the goal.' },
+    { name: 'step', title: 'Step', default: 0.05, min: 0.005, max: 0.5, help: 'A fraction of the longer side.' },
+    { name: 'goal_bias', title: 'Goal bias', default: 0.1, min: 0, max: 1, help: 'The probability that the goal is taken instead of a random point.' },
   ],
   readings: [{ name: 'nodes', title: 'Nodes', value: ({ nodes }) => nodes.length }],
   layers: [
@@ -16,7 +16,7 @@ register({
     { name: 'best', title: 'Path' },
   ],
 
-  // A node is its place and the number of the node that it comes from.
+  // A node: its position and the index of its parent.
   start: ({ scene }) => ({ nodes: [[...scene.start, -1]], path: null, cost: null }),
 
   advance(state, { scene, box, params, random, isFree, evaluate, finish, math }) {
@@ -47,5 +47,5 @@ register({
   },
 })
 
-/** The distance of two points, squared. */
+/** The squared distance between two points. */
 const apart = (a, b) => (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2

@@ -1,10 +1,10 @@
-// 2-opt: turns round a part of a tour wherever that makes it shorter, until nothing does. Croes 1958.
+// 2-opt: reverses a segment of the tour as long as that makes it shorter. Croes 1958.
 import { register } from 'forage-lab'
 
 register({
   name: 'my-two-opt',
   title: '2-opt',
-  summary: 'Turns round the part of a tour that shortens it most, until no part does.',
+  summary: 'Reverses the segment that shortens the tour most, until none does.',
   kinds: ['tour'],
   readings: [{ name: 'length', title: 'Length', value: ({ cost }) => cost }],
   layers: [{ name: 'tour', title: 'Tour' }],

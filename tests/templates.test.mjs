@@ -2,9 +2,12 @@
 import assert from 'node:assert/strict'
 import { readdirSync, readFileSync } from 'node:fs'
 import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
 import { codeIn, registerCode, withCode } from '../pkg/isolate.node.js'
 import { register, Session } from '../pkg/node.js'
 import { conform } from '../pkg/testing.node.js'
+import { saidAt, tagsOf, textsOf } from '../scripts/languages/folder.mjs'
+import { translated, wordsOf } from '../scripts/languages/templates.mjs'
 
 const FOLDER = new URL('../templates/', import.meta.url)
 const templates = Object.fromEntries(
@@ -51,6 +54,29 @@ test('every template has the hash that it has natively, and mathematics of all k
     assert.equal(session.hash(), hash, name)
   }
 })
+
+const LOCALES = fileURLToPath(new URL('../locales', import.meta.url))
+for (const tag of tagsOf(LOCALES)) {
+  const texts = textsOf(`${LOCALES}/${tag}`)
+  for (const [name, code] of Object.entries(templates)) {
+    test(`${name} is the same planner in ${tag}`, async () => {
+      const own = translated(code, (words) => saidAt(texts[words], `templates.${name}`))
+      for (const words of wordsOf(code)) assert.ok(texts[words], words)
+      // But for what it says it is the same, and so are its values in sentences.
+      const bare = (text) => [translated(text, () => '…'), wordsOf(text).map((words) => words.match(/\$\{.*?\}/g))]
+      assert.deepEqual(bare(own), bare(code))
+      const ends = []
+      for (const one of [own, code]) {
+        const scene = { function: 'rastrigin', tour: 'random-52', discs: 'discs-gate' }[plannerOf(one).kinds[0]]
+        const session = new Session({ planner: (await registerCode(one)).name, scene, seed: 3 })
+        session.step(20)
+        ends.push(session.hash())
+        session.free()
+      }
+      assert.equal(ends[0], ends[1])
+    })
+  }
+}
 
 test('code travels in links', async () => {
   const session = new Session({ planner: (await registerCode(templates.rrt)).name, scene: 'discs-gate', seed: 3 })

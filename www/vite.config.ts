@@ -7,6 +7,7 @@ import { contract } from './plugins/contract.ts'
 import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
 import { glossary } from './plugins/glossary.ts'
+import { templates } from './plugins/templates.ts'
 import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { installable } from './plugins/installable.ts'
@@ -36,6 +37,7 @@ export default defineConfig({
     formulas(core, `${root}/lessons`),
     palette(`${root}/src/describe/palette.json`),
     glossary(`${root}/docs/glossary.md`, locales),
+    templates(`${root}/templates`, locales),
     languages(locales, core),
     lessons(`${root}/lessons`, locales, `${root}/REPRODUCTION.claims.json`),
     recordings(core),

@@ -7,6 +7,7 @@ import { defineConfig, type Plugin } from 'vite'
 import { formulas } from './plugins/formulas.ts'
 import { inlined, unaddressed } from './plugins/inlined.ts'
 import { glossary } from './plugins/glossary.ts'
+import { templates } from './plugins/templates.ts'
 import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { palette } from './plugins/palette.ts'
@@ -132,6 +133,7 @@ export default defineConfig(({ mode }) => ({
     svelte(),
     formulas(core, at('../lessons')),
     glossary(at('../docs/glossary.md'), at('../locales')),
+    templates(at('../templates'), at('../locales')),
     languages(at('../locales'), core),
     lessons(at('../lessons'), at('../locales'), at('../REPRODUCTION.claims.json')),
     palette(at('../src/describe/palette.json')),

@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vitest/config'
 import { glossary } from './plugins/glossary.ts'
+import { templates } from './plugins/templates.ts'
 import { languages } from './plugins/languages.ts'
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url))
@@ -13,6 +14,7 @@ export default defineConfig({
   plugins: [
     svelte({ compilerOptions: { hmr: false } }),
     glossary(at('../docs/glossary.md'), at('../locales')),
+    templates(at('../templates'), at('../locales')),
     languages(at('../locales'), at('../pkg')),
   ],
   resolve: { conditions: ['browser'], alias: [{ find: /^forage-lab\/texts$/, replacement: at('../package/texts.js') }] },

@@ -7,6 +7,7 @@ import { pattern } from '../../package/fluent.mjs'
 import { described, numbered } from '../../package/texts.js'
 import { glossaryOf, glossaryTexts } from './glossary.mjs'
 import { textsIn } from './page.mjs'
+import { templatesIn, wordsOf } from './templates.mjs'
 
 const { parse } = createRequire(new URL('../../www/package.json', import.meta.url))('csv-parse/sync')
 const root = fileURLToPath(new URL('../..', import.meta.url))
@@ -97,6 +98,7 @@ export function english(shell) {
     .filter((file) => file.endsWith('.json') && !file.endsWith('.schema.json') && file !== 'order.json')
     .map((file) => json(`lessons/${file}`))
   const catalogue = run('list', '--json')
+  const templates = templatesIn(`${root}/templates`)
   const names = namesOf(catalogue)
   const published = [...claimed(json('REPRODUCTION.claims.json')), ...figures(readFileSync(`${root}/REPRODUCTION.csv`, 'utf8'))]
   // A text is in the first file that has it: the page has that of the papers alone.
@@ -105,6 +107,7 @@ export function english(shell) {
     ...catalogued(catalogue),
     shell: run('list', '--texts'),
     reproduction: reported(readFileSync(`${root}/REPRODUCTION.md`, 'utf8')).map((text) => numbered(text).text),
+    templates: templates.flatMap(({ code }) => wordsOf(code)),
   }
   const known = new Set()
   for (const [file, list] of Object.entries(texts)) {
@@ -114,7 +117,7 @@ export function english(shell) {
   return {
     messages: Object.fromEntries(run('list', '--messages').map((message) => [message.key, pattern(message)])),
     texts,
-    paths: Object.keys(described(catalogue)),
+    paths: [...Object.keys(described(catalogue)), ...templates.map(({ name }) => `templates.${name}`)],
     lessons: Object.fromEntries(lessons.map(({ name, language, texts }) => [name, texts[language]])),
     glossary: glossaryTexts(glossaryOf(`${root}/docs/glossary.md`)),
     page: textsIn(`${root}/www/src/locales/en`),

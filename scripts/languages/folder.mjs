@@ -36,12 +36,18 @@ function merged(files) {
   return found
 }
 
+/**
+ * The texts of a language, by what they are in English.
+ * @returns {Readonly<Record<string, string | Readonly<Record<string, string>>>>}
+ */
+export const textsOf = (folder) => merged(all(`${folder}/texts`))
+
 /** What a language has. */
 export function languageOf(folder) {
   const page = `${folder}/page`
   return {
     messages: merged(all(`${folder}/messages`)),
-    texts: merged(all(`${folder}/texts`)),
+    texts: textsOf(folder),
     lessons: all(`${folder}/lessons`),
     glossary: existsSync(`${folder}/glossary.json`) ? json(`${folder}/glossary.json`) : {},
     page: existsSync(page) ? textsIn(page) : { exported: {}, helpers: {} },
@@ -58,6 +64,7 @@ export const tagsOf = (folder) =>
         .sort()
     : []
 
+/** How a text or a message is said where nothing else is said of the place. */
 const said = (entry) => (typeof entry === 'string' ? entry : (entry?.says ?? entry?.['']))
 
 /** Whether something of the catalogue is at a place, or below it; the empty one is everywhere. */

@@ -1,6 +1,7 @@
 import { test as base } from '@playwright/test'
-import { expect, test } from './support/lab'
+import { expect, pick, test } from './support/lab'
 import { linkTo } from './support/core'
+import { behind } from './support/workshop'
 
 /* Which language the page speaks, and that it changes while things run. */
 
@@ -42,6 +43,35 @@ test.describe('under a Chinese browser', () => {
     await expect(page.getByTestId('whole')).toHaveText(HAN)
     await expect(page.getByTestId('whole')).toHaveAttribute('href', /&page\.lang=zh-CN$/)
   })
+})
+
+test('templates are in the language that is chosen, as long as nobody has changed them; the run stays as it is', async ({ lab, page }) => {
+  await page.goto('./#view=workshop&page.lang=zh-CN')
+  const editor = page.getByTestId('editor')
+  await editor.waitFor()
+  for (const name of ['two-opt', 'rrt', 'ants', 'pso', 'random-search', 'hill-climber']) {
+    await pick(page, 'template', name)
+    await expect(page.getByTestId('template')).toHaveValue(HAN)
+    await expect(editor.locator('.cm-line').first()).toHaveText(/^\/\/ .*[\u3400-\u9fff].*。|^\/\/ .*？/)
+    await expect(page.getByTestId('state')).toContainText('页面正在运行这段代码')
+  }
+  await page.locator('input.timeline').fill('20')
+  const hash = await lab.settled(20)
+  // That the template before was another planner is a change; its language is none.
+  await page.getByTestId('fork-dismiss').click()
+  await expect(page.getByTestId('fork')).toHaveCount(0)
+  await page.getByTestId('language').click()
+  await expect(editor).toContainText('Takes a random step')
+  await expect(page.getByTestId('template')).toHaveValue('Hill climber')
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+  expect(await lab.settled(20)).toBe(hash)
+  await expect(page.getByTestId('fork')).toHaveCount(0)
+  await behind(page, '* normal()')
+  await page.keyboard.type(' * 0.5')
+  await page.getByTestId('language').click()
+  await expect(page.getByTestId('template')).toHaveValue(/爬山法/)
+  await expect(editor).toContainText('Takes a random step')
+  await expect(editor).toContainText('* normal() * 0.5')
 })
 
 test('what the core said is said in the language that is chosen, and the run stays as it is', async ({ lab, page }) => {

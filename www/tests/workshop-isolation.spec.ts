@@ -17,7 +17,7 @@ test('a link shows the code and its note before it runs', async ({ lab, page }) 
   await page.goto('about:blank')
   await page.goto(`./${link}`)
   const dialog = page.getByTestId('offer-dialog')
-  await expect(dialog.getByTestId('offer-note')).toHaveText(/^A hill climber: it takes a random step/)
+  await expect(dialog.getByTestId('offer-note')).toHaveText(/^Hill climber: takes a random step/)
   await expect(dialog.getByTestId('offer-code')).toContainText("name: 'my-hill-climber'")
   expect(await violations(lab)).toEqual([])
   // Left, it does not run; there is another run to look at.

@@ -130,15 +130,15 @@ export class SetupStore {
     return other !== undefined
   }
 
-  /** Runs a planner that somebody wrote. Another code of the same planner goes on where the run is. */
-  runOwn = (planner: OwnPlanner): void => {
+  /** Runs a planner that somebody wrote. Another code of the same planner goes on where the run is; `reworded`: only its texts differ. */
+  runOwn = (planner: OwnPlanner, reworded = false): void => {
     const same = planner.name === this.plannerName
     this.notices.text = ''
     this.parameters.errors = {}
     this.plannerName = planner.name
     // Of a function of two variables all is seen.
     const moved = this.bringScene(planner, (scene) => scene.kind !== 'function' || scene.dimension === 2)
-    this.start.again(same && !moved ? 'code' : 'begin')
+    this.start.again(reworded ? 'words' : same && !moved ? 'code' : 'begin')
   }
 
   openScene = (scene: Scene): void => {

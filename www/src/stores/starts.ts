@@ -131,7 +131,7 @@ export class Starts {
     const { experiments, playback, run } = this.stores
     const scene = this.stores.scene.present
     const mends = where === 'code' && (playback.restarting || run.refusal !== null || run.status === 'failed')
-    if (where !== 'on') experiments.leave({ compares: true, mends })
+    if (where !== 'on' && where !== 'words') experiments.leave({ compares: true, mends })
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     if (scene && (scene.kind !== run.present?.scene.kind || scene.name !== run.present.scene.name)) this.stores.setup.suit(scene)
     if (where === 'on' || (where !== 'begin' && playback.restarting)) return this.restart(playback.requested, since)

@@ -138,6 +138,17 @@ export class Workshop {
     this.save(now)
   }
 
+  /** What is in the editor, in another language: it runs if what was there did. */
+  translate(code: string): void {
+    if (code === this.text) return
+    const { current } = this
+    this.uncut = ''
+    this.foreign = false
+    this.refused = null
+    this.save(code)
+    if (current) void this.apply(true)
+  }
+
   private keepLast(): void {
     this.last = { code: this.text, foreign: this.foreign }
     rememberDraft(LAST, this.last)
@@ -196,8 +207,8 @@ export class Workshop {
     if (this.refused === null && !brings) this.lab.playback.play()
   }
 
-  /** Reads the code and shows its planner: where the run is, if it is one of the same name. */
-  private async apply(): Promise<void> {
+  /** Reads the code and shows its planner: where the run is, if it is one of the same name. `reworded`: only its texts differ. */
+  private async apply(reworded = false): Promise<void> {
     clearTimeout(this.timer)
     this.request += 1
     const { request, text: code } = this
@@ -212,7 +223,7 @@ export class Workshop {
     this.lab.own.pending = null
     // It came with a run.
     if (pending?.link && pending.code === code) void this.lab.openLink(pending.link)
-    else if (!runs) this.lab.setup.runOwn(answer.value)
+    else if (!runs) this.lab.setup.runOwn(answer.value, reworded)
   }
 
   /** What is wrong with a code: of what its planner says of itself only the field is known, not the place. */

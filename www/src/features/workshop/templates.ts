@@ -1,3 +1,6 @@
+import { templates as all } from 'virtual:templates'
+import { language } from '../../locales/language.svelte'
+
 export type Level = 'easy' | 'medium' | 'hard'
 
 export interface Template {
@@ -7,21 +10,23 @@ export interface Template {
   code: string
 }
 
-const codes = import.meta.glob<string>('../../../../templates/*.js', { query: '?raw', import: 'default', eager: true })
-
-const template = (level: Level, name: string, title: string): Template => ({
-  name,
-  title,
-  level,
-  code: codes[`../../../../templates/${name}.js`] ?? '',
-})
-
 /** From easy to hard. */
-export const TEMPLATES: readonly Template[] = [
-  template('easy', 'random-search', 'Random search'),
-  template('easy', 'hill-climber', 'Hill climber'),
-  template('medium', 'pso', 'Particle swarm: the published one'),
-  template('medium', 'ants', 'Greedy ants'),
-  template('hard', 'rrt', 'Random tree (RRT)'),
-  template('hard', 'two-opt', '2-opt'),
-]
+const NAMES: Readonly<Record<Level, readonly string[]>> = {
+  easy: ['random-search', 'hill-climber'],
+  medium: ['pso', 'ants'],
+  hard: ['rrt', 'two-opt'],
+}
+export const LEVELS = Object.keys(NAMES) as Level[]
+
+/** The templates in the language of the page. */
+export const templates = (): Template[] =>
+  LEVELS.flatMap((level) =>
+    NAMES[level].flatMap((name) => {
+      const own = all[name]?.[language.tag] ?? all[name]?.en
+      return own ? [{ name, level, ...own }] : []
+    }),
+  )
+
+/** The name of the template that a code is, in whatever language. */
+export const templateOf = (code: string): string | undefined =>
+  Object.keys(all).find((name) => Object.values(all[name] ?? {}).some((own) => own.code === code))
