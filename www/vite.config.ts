@@ -12,6 +12,7 @@ import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { installable } from './plugins/installable.ts'
 import { palette } from './plugins/palette.ts'
+import { settled } from './plugins/settled.ts'
 import { policy } from './plugins/policy.ts'
 import { recordings } from './plugins/recordings.ts'
 import { reproduction } from './plugins/reproduction.ts'
@@ -33,6 +34,7 @@ export default defineConfig({
   base: './',
   plugins: [
     svelte(),
+    settled(),
     early(['forage_bg', 'catalogue']),
     formulas(core, `${root}/lessons`),
     palette(`${root}/src/describe/palette.json`),

@@ -11,6 +11,7 @@ import { templates } from './plugins/templates.ts'
 import { languages } from './plugins/languages.ts'
 import { lessons } from './plugins/lessons.ts'
 import { palette } from './plugins/palette.ts'
+import { settled } from './plugins/settled.ts'
 
 /* The element (`--mode element`) and the page in one file (`--mode file`): one script each, with all that it needs. */
 
@@ -131,6 +132,7 @@ export default defineConfig(({ mode }) => ({
   plugins: [
     unaddressed(core),
     svelte(),
+    settled(),
     formulas(core, at('../lessons')),
     glossary(at('../docs/glossary.md'), at('../locales')),
     templates(at('../templates'), at('../locales')),

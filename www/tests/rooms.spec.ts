@@ -232,3 +232,33 @@ for (const scheme of ['light', 'dark'] as const) {
     })
   }
 }
+
+test('rooms, panels and dialogs that are left keep nothing of the page', async ({ lab, page }) => {
+  test.setTimeout(120_000)
+  const devtools = await page.context().newCDPSession(page)
+  const kept = async (): Promise<number> => {
+    for (let k = 0; k < 3; k += 1) await devtools.send('HeapProfiler.collectGarbage')
+    const { nodes } = (await devtools.send('Memory.getDOMCounters')) as { nodes: number }
+    return nodes
+  }
+  const round = async (): Promise<void> => {
+    for (const room of ['learn', 'compare', 'workshop', 'papers', 'lab']) {
+      await page.getByTestId(`view-${room}`).click()
+      await expect(page).toHaveURL(room === 'lab' ? /#v=1/ : new RegExp(`view=${room}`))
+      await page.waitForTimeout(150)
+    }
+    for (const tab of ['explain', 'chart', 'setup'] as const) await lab.tab(tab)
+    for (const dialog of ['export', 'keys'] as const) {
+      await lab.choose(dialog)
+      await page.locator('dialog[open], [role=dialog]').first().waitFor()
+      await page.keyboard.press('Escape')
+      await expect(page.locator('dialog[open], [role=dialog]')).toHaveCount(0)
+    }
+  }
+  await lab.open(PARTICLE)
+  for (let k = 0; k < 6; k += 1) await round()
+  const before = await kept()
+  for (let k = 0; k < 5; k += 1) await round()
+  // Each room has some 2,000.
+  expect(await kept()).toBeLessThan(before + 500)
+})
