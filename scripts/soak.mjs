@@ -108,10 +108,8 @@ async function measure() {
     await devtools.send('HeapProfiler.collectGarbage')
     for (const id of threads.keys()) await inThread(id, 'HeapProfiler.collectGarbage')
   }
-  const heaps = [['page', await devtools.send('Runtime.getHeapUsage')]]
-  for (const [id, { url }] of threads) heaps.push([url.replace(/^.*\/|-[^-]*$/g, '').slice(0, 14), await inThread(id, 'Runtime.getHeapUsage')])
-  const held = heaps.reduce((sum, [, usage]) => sum + heap(usage), 0)
-  if (process.env.HEAPS) for (const [name, u] of heaps) console.log('   ', name.padEnd(15), Object.entries(u).map(([k, v]) => `${k} ${(v / 1e6).toFixed(2)}`).join('  '))
+  let held = heap(await devtools.send('Runtime.getHeapUsage'))
+  for (const id of threads.keys()) held += heap(await inThread(id, 'Runtime.getHeapUsage'))
   return { held, resident: resident(), threads: threads.size }
 }
 

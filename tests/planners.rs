@@ -100,6 +100,7 @@ fn what_a_run_says_is_true(entry: &'static Entry) {
         }
         let staged = !session.stages().is_empty();
         let outcome = session.outcome();
+        assert!(outcome.failed_at.is_none() || outcome.status == Status::Failed, "{:?} of a run that has not failed", outcome.failed_at);
         if size_name(entry).is_some() && !staged {
             let rounds = (outcome.evaluations - first) / (population * 60);
             let all = outcome.evaluations - first == rounds * population * 60;

@@ -1,6 +1,6 @@
 //! The colony's formulas against hand-computed values, and what must hold for it on any map.
 
-use std::sync::Arc;
+use std::{collections::BTreeSet, sync::Arc};
 
 use super::{colony::Variant, ground::*, pheromone::Pheromone, update::Update, walk::*, *};
 use crate::{
@@ -293,6 +293,24 @@ fn greed_is_what_is_told() {
         assert_eq!(alike, told.len() == 1, "all greedy: all alike");
     }
     assert_eq!(told, [1.0, 0.5, 0.0]);
+}
+
+/// An ant in a dead end has neither a length nor a share of pheromone.
+#[test]
+fn an_ant_s_card_has_a_length_where_it_arrived() {
+    let scene = scene(&["......", ".####.", "....#.", ".####.", "......"], [0.5, 2.5], [5.5, 2.5]);
+    let mut ends = BTreeSet::new();
+    for seed in 0..20 {
+        let mut run = run(&scene, "aco", &[("ants", "10"), ("dead_end", "stay")], seed);
+        run.step(1);
+        for index in 0..10 {
+            let told = run.inspect(Item { layer: layers::ANTS.key, index }).unwrap();
+            let has = |name: &str| told.values.iter().any(|value| value.label.name == name);
+            assert_eq!([has("length"), has("laid")], [told.event == "arrived"; 2], "{}", told.summary);
+            ends.insert(told.event);
+        }
+    }
+    assert!(ends.contains("arrived") && ends.contains("stuck"), "{ends:?}");
 }
 
 /// No ant goes back to where the best way has come from, so the card gives it no chance.

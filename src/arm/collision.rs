@@ -397,6 +397,58 @@ mod tests {
         least
     }
 
+    /// Each joint turns what follows it by as much as it is far from that joint's axis, at most.
+    #[test]
+    fn what_links_travel_is_the_sum_of_what_each_joint_turns_them() {
+        let scene = scene(&[]);
+        let links = Links::new(&scene, 0.0);
+        let [base, upper, fore, tool] = links.lengths;
+        let turned = |joint: usize| {
+            let mut turn = [0.0; 6];
+            turn[joint] = 0.5;
+            links.travel(turn).all.map(|far| 2.0 * far)
+        };
+        let expected = [
+            [base, base + upper, base + upper + fore, base + upper + fore + tool],
+            [0.0, upper, upper + fore, upper + fore + tool],
+            [0.0, 0.0, fore, fore + tool],
+            [0.0, 0.0, 0.0, tool],
+            [0.0, 0.0, 0.0, tool],
+            [0.0; 4],
+        ];
+        for (joint, expected) in expected.into_iter().enumerate() {
+            let found = turned(joint);
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "joint {}: {found:?} {expected:?}", joint + 1);
+        }
+        let all = links.travel([0.5; 6]).all;
+        for (link, far) in all.into_iter().enumerate() {
+            let sum: f64 = (0..6).map(|joint| 0.5 * turned(joint)[link]).sum();
+            assert!((far - sum).abs() < 1e-12, "link {link}: {far} {sum}");
+        }
+        assert!(links.spins, "the tool is on the last joint's axis");
+    }
+
+    /// The upper arm alone, against 2,000 samples of each turn of the second joint.
+    #[test]
+    fn an_upper_arm_that_keeps_off_leans_in_at_no_sample() {
+        let scene = scene(&[]);
+        let links = Links::new(&scene, 0.003);
+        let column = links.column.unwrap();
+        let mut random = Stream::new(11, 0);
+        let mut counts = [0; 2];
+        for _ in 0..300 {
+            let from = random.between(-PI, PI);
+            let to = from + random.between(-1.5, 1.5);
+            let samples = (0..=2000).map(|k| from + (to - from) * f64::from(k) / 2000.0);
+            let leans = samples.filter(|&theta2| links.leans_in(&column, links.upper_arm(theta2))).count();
+            let keeps_off = links.upper_arm_keeps_off(from, to, 1e-6);
+            // Within a thousandth of a turn it may be between two samples.
+            assert!(if keeps_off { leans == 0 } else { leans > 0 }, "{from} to {to}: {leans} samples lean in");
+            counts[usize::from(keeps_off)] += 1;
+        }
+        assert!(counts.iter().all(|&count| count > 50), "{counts:?}: both answers are tested");
+    }
+
     /// Random motions among cuboids against 400 samples of each.
     #[test]
     fn a_motion_is_free_if_none_of_many_samples_touches() {

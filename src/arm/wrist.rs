@@ -88,3 +88,52 @@ pub(super) fn share(sum: f64, sign: f64, near: &Posture, ranges: [[f64; 2]; 2]) 
     }
     best.map(|(_, angles)| angles)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::rng::Stream;
+
+    /// θ4 in 20,000 steps through its range, and every θ6 that keeps the sum, whatever full turns are between them.
+    #[test]
+    fn a_singular_wrist_turns_least_among_all_angles() {
+        let mut random = Stream::new(5, 0);
+        let mut counts = [0; 2];
+        for round in 0..200 {
+            let sign = if round % 2 == 0 { 1.0 } else { -1.0 };
+            let ranges = [0, 1].map(|_| {
+                let low = random.between(-6.0, 2.0);
+                [low, low + random.between(0.2, 8.0)]
+            });
+            let near: Posture = std::array::from_fn(|_| random.between(-6.0, 6.0));
+            let sum = random.between(-9.0, 9.0);
+            let [[min4, max4], [min6, max6]] = ranges;
+            let away = |theta4: f64, theta6: f64| {
+                let [a, b] = [theta4 - near[3], theta6 - near[5]];
+                (a * a + b * b).sqrt()
+            };
+            let mut least = f64::INFINITY;
+            for k in 0..=20_000 {
+                let theta4 = min4 + (max4 - min4) * f64::from(k) / 20_000.0;
+                for turns in -6..=6 {
+                    let theta6 = sum - sign * theta4 + 2.0 * PI * f64::from(turns);
+                    if (min6..=max6).contains(&theta6) {
+                        least = least.min(away(theta4, theta6));
+                    }
+                }
+            }
+            let found = share(sum, sign, &near, ranges);
+            counts[usize::from(found.is_some())] += 1;
+            let Some([theta4, theta6]) = found else {
+                assert!(least.is_infinite(), "round {round}: {least}");
+                continue;
+            };
+            let within = |theta: f64, min: f64, max: f64| theta > min - 1e-12 && theta < max + 1e-12;
+            assert!(within(theta4, min4, max4) && within(theta6, min6, max6), "round {round}");
+            let turns = (theta6 + sign * theta4 - sum) / (2.0 * PI);
+            assert!((turns - turns.round()).abs() < 1e-12, "round {round}");
+            assert!(away(theta4, theta6) < least + 1e-3 && away(theta4, theta6) > least - 1e-3, "round {round}: {least}");
+        }
+        assert!(counts.iter().all(|&count| count > 10), "{counts:?}: both answers are tested");
+    }
+}

@@ -181,7 +181,8 @@ fn a_collision_that_cannot_be_avoided_is_told() {
         // It goes through the robot, and the robot arrives nevertheless: after a collision.
         assert!(event(&outcome, "arrived").reason.text().contains("after a collision"));
         let collision = event(&outcome, "collision");
-        assert!(collision.reason.text().contains("no safe motion had been found for"), "{}", collision.reason);
+        let lasted = format!("no safe motion had been found for {:.1} s", collision.time - event(&outcome, "cornered").time);
+        assert!(collision.reason.text().contains(&lasted), "{}: {lasted}", collision.reason);
         assert!(event(&outcome, "cornered").reason.text().contains("No safe motion was found"));
         let grid = scene.get::<GridScene>().unwrap();
         let [x, y] = grid.moving[0].at(collision.time, Border::Leave, grid.bounds());
@@ -252,13 +253,17 @@ fn a_touch_at_the_very_start_is_told() {
 
 #[test]
 fn what_would_bounce_too_often_is_refused_by_name() {
-    let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [5, 5], "radius": 1, "velocity": [0, 900]}"#);
-    let start = |border: &str| {
+    let start = |speed: f64, border: &str| {
+        let moving = format!(r#"{{"center": [5, 5], "radius": 1, "velocity": [0, {speed}]}}"#);
+        let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], &moving);
         let params = [("border", Value::from(border))].into_iter().collect();
-        Run::new(standard(), Setup { planner: "a-star-drive".to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
+        Run::new(standard(), Setup { planner: "a-star-drive".to_owned(), scene, params, seed: 1 })
     };
-    assert_eq!(start("bounce").err().unwrap().field(), "moving[0].velocity[1]");
-    assert!(start("leave").is_ok());
+    // Between walls 10 apart the middle of a disc of radius 1 has 8: 100 times that a second.
+    let refused = start(801.0, "bounce").err().unwrap();
+    assert_eq!(refused.field(), "moving[0].velocity[1]");
+    assert!(refused.to_string().contains("at most 800 a second"), "{refused}");
+    assert!(start(800.0, "bounce").is_ok() && start(900.0, "leave").is_ok());
 }
 
 /// What is in nobody's way changes nothing.
@@ -289,6 +294,18 @@ fn an_obstacle_and_the_robot_can_be_supposed_to_stand_still() {
         assert!((value(&supposed, "d") - 2.0).abs() < 1e-9, "{supposition}: 4 less both radii");
         assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key));
     }
+}
+
+/// It goes up from y = 7 at 1 a second and turns at the wall, at y = 9: until then, and no longer, it goes on as it goes.
+#[test]
+fn how_near_an_obstacle_comes_is_told_until_it_turns() {
+    let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [17, 7], "radius": 1, "velocity": [0, 1]}"#);
+    let mut run = start("a-star-drive", &scene, &[("border", Value::from("bounce"))], 1);
+    run.step(5);
+    let told = run.inspect(Item { layer: layers::MOVING.key, index: 0 }).unwrap();
+    let time = told.values.iter().find(|value| value.label.name == "t").unwrap().value;
+    let now = reading(&run.outcome(), "time");
+    assert!(now > 0.1 && (now + time - 2.0).abs() < 1e-9, "{time} from {now} on");
 }
 
 /// A blind robot drives its way whatever comes. However long a period is and however fast the obstacle, the smallest

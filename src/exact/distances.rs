@@ -235,6 +235,10 @@ mod tests {
         // A degree on the equator: 6378.388 · π / 180 = 111.32, + 1, cut off; half a degree is 30 minutes.
         assert_eq!([[1.0, 0.0], [0.3, 0.0], [0.0, 1.0]].map(|b| d(Metric::Geo, b)), [112.0, 56.0, 112.0]);
         assert_eq!(d(Metric::Geo, [0.0, 0.0]), 0.0);
+        // The first distances of TSPLIB's burma14, in degrees and minutes.
+        let first = [96.10, 16.47];
+        let from_first = [[94.44, 16.47], [92.54, 20.09], [93.37, 22.39], [97.24, 25.23]].map(|b| Metric::Geo.distance(first, b));
+        assert_eq!(from_first, [153.0, 510.0, 706.0, 966.0]);
     }
 
     #[test]
@@ -246,5 +250,7 @@ mod tests {
         assert_eq!(refused([0.0, f64::NAN, 1.0, 0.0]), "matrix[0][1]");
         let fine = Distances::new("matrix", 2, vec![0.0, 1.5, 1.5, 0.0]).unwrap();
         assert_eq!([fine.length(&[1, 0], true), fine.length(&[1, 0], false)], [3.0, 1.5]);
+        assert_eq!((fine.len(), fine.is_empty()), (2, false));
+        assert!(Distances::new("matrix", 0, Vec::new()).unwrap().is_empty());
     }
 }

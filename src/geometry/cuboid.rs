@@ -148,6 +148,8 @@ mod tests {
         assert!((line.distance_squared([1.0, 0.0, 3.0], [3.0, 0.0, 5.0]) - 2.0).abs() < 1e-15, "its end");
         assert!(line.is_within(1.0, [1.0, -1.0, 1.0], [1.0, 3.0, 1.0]), "touching counts");
         assert!(!line.is_within(0.999, [1.0, -1.0, 1.0], [1.0, 3.0, 1.0]));
+        assert!(line.is_within(4.0, [4.0, -1.0, 1.0], [4.0, 3.0, 1.0]), "radii above 2, too");
+        assert!(!line.is_within(3.999, [4.0, -1.0, 1.0], [4.0, 3.0, 1.0]));
     }
 
     /// The least over 2001 points of the segment is at least the distance, and at most half a piece more.

@@ -353,3 +353,17 @@ macro_rules! said {
         )
     };
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_before_or_after_a_sentence_leaves_it_as_it_is() {
+        let said = || message!("tour-none-yet", "There is no tour yet.");
+        assert_eq!(said().then(Message::default()), said());
+        assert_eq!(Message::default().then(said()), said());
+        assert_eq!(said().then(said()).text(), "There is no tour yet. There is no tour yet.");
+        assert!(Message::default().then(Message::default()).is_empty());
+    }
+}

@@ -333,6 +333,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn memory_is_that_of_all_entries_and_of_what_they_own() {
+        let owned = size_of::<f64>() * 3;
+        let map = BTreeMap::from([(1_u64, vec![1.0; 3]), (2, vec![2.0; 3]), (3, Vec::new())]);
+        assert_eq!(map.heap_size(), 3 * size_of::<(u64, Vec<f64>)>() + 2 * owned);
+        assert_eq!(BTreeSet::from([1_u64, 2, 3]).heap_size(), 3 * size_of::<u64>());
+        assert_eq!((vec![1.0; 3], vec![1.0; 3]).heap_size(), 2 * owned);
+    }
+
+    #[test]
     fn every_bit_and_the_order_count() {
         let hash = |words: &[u64]| {
             let mut digest = Digest::default();

@@ -398,6 +398,22 @@ mod tests {
         assert_eq!(column(&[1.0, 10.0, 2.0, 20.0, 6.0, 60.0], 2, 1).copied().collect::<Vec<_>>(), [10.0, 20.0, 60.0]);
     }
 
+    /// Of the particles whose personal best is lowest the first one wins; one as good as the global best does not.
+    #[test]
+    fn the_first_of_the_lowest_personal_bests_becomes_the_global_best() {
+        let scene = shipped("sphere-2").unwrap();
+        let settings = Parameters::new(crate::swarm::pso::ENTRY.parameters, scene.kind(), &Overrides::new()).unwrap();
+        let mut population = Population::new(encoding::objective(&scene, &settings).unwrap(), 3, &mut Stream::new(1, 0));
+        population.p = vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+        population.p_cost = vec![7.0, 0.5, 0.5];
+        population.settle();
+        assert_eq!(population.global_best(), (&[3.0, 4.0][..], 0.5));
+        assert_eq!(population.personal_best(0), (&[1.0, 2.0][..], 7.0));
+        population.p[4] = 8.0;
+        population.settle();
+        assert_eq!(population.global_best(), (&[3.0, 4.0][..], 0.5));
+    }
+
     /// Two particles in the box from −100 to 100: 2, 6 and −10, 30 have deviations of 2 and 20.
     #[test]
     fn the_spread_is_the_mean_deviation_as_a_share_of_the_box() {

@@ -169,6 +169,12 @@ mod tests {
         Waypoints::with(terrain, 1, true)
     }
 
+    #[test]
+    fn coordinates_are_all_x_and_then_all_y() {
+        let two = Waypoints::with(objective(Penalty::Segments).terrain, 2, true);
+        assert_eq!([0, 1, 2, 3].map(|j| two.coordinate(j)), ["x₁", "x₂", "y₁", "y₂"]);
+    }
+
     fn evaluate(objective: &Waypoints, x: &[f64]) -> Evaluation {
         objective.evaluate(x, &mut Scratch::default())
     }

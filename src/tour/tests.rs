@@ -50,6 +50,10 @@ fn members_enter_one_after_another_when_the_roads_stand() {
         let mut run = run(planner, &shipped("ant-bat-30").unwrap(), &params, 1);
         let roads = run.stages()[0].end.unwrap();
         run.step(roads - 1);
+        for layer in [layers::TOURS.key, layers::STOPS.key] {
+            let told = run.inspect(Item { layer, index: 1 }).unwrap();
+            assert_eq!((told.event, &*told.summary.text()), ("waiting", "There is no tour yet."));
+        }
         let mut entered = 0;
         while with_parts_of(1, || run.part()) == Stepped::Partly {
             entered += u64::from(run.is_partly());
@@ -419,6 +423,8 @@ fn one_thing_can_be_supposed_of_one_member_with_the_same_random_numbers() {
             for index in 0..if planner == "sa" { 1 } else { 9 } {
                 let item = Item { layer: layers::TOURS.key, index };
                 let told = run.inspect(item).unwrap();
+                let mutated = ["mutation", "both"].contains(&told.event);
+                assert!(planner != "ga" || told.summary.text().contains("mutation reversed") == mutated, "{}", told.summary);
                 for supposition in told.suppositions.iter().map(|label| label.name).filter(|&name| name != "random") {
                     let supposed = run.suppose(item, supposition, 0).unwrap().unwrap();
                     seen.insert((planner, supposition));
