@@ -190,6 +190,24 @@ fn a_collision_that_cannot_be_avoided_is_told() {
     }
 }
 
+/// Two go through it, one after the other: of both it is said how long no motion had been found, whatever happened meanwhile.
+#[test]
+fn each_collision_of_a_cornered_robot_has_the_same_cause() {
+    let rows = ["##########", "..........", "##########"];
+    let moving = r#"{"center": [30, 3], "radius": 2, "velocity": [-8, 0]}, {"center": [36, 3], "radius": 2, "velocity": [-8, 0]}"#;
+    let scene = scene(&rows, [[1.0, 3.0], [19.0, 3.0]], moving);
+    for planner in DRIVES {
+        let outcome = run(planner, &scene, &[], 1);
+        let since = event(&outcome, "cornered").time;
+        let collisions: Vec<_> = outcome.events.iter().filter(|event| event.kind == "collision").collect();
+        assert_eq!(collisions.len(), 2, "{planner}: {:?}", outcome.events);
+        for collision in collisions {
+            let lasted = format!("no safe motion had been found for {:.1} s", collision.time - since);
+            assert!(collision.reason.text().contains(&lasted), "{planner}: {}: {lasted}", collision.reason);
+        }
+    }
+}
+
 /// Where nothing is safe it does not search in every period: twice a second, and not at all while something lies over it.
 #[test]
 fn a_robot_for_which_nothing_is_safe_searches_now_and_then() {
@@ -287,7 +305,9 @@ fn an_obstacle_and_the_robot_can_be_supposed_to_stand_still() {
     let told = run.inspect(item).unwrap();
     let value = |told: &Inspection, name: &str| told.values.iter().find(|value| value.label.name == name).unwrap().value;
     let together = value(&told, "t");
-    assert!(together > 0.5);
+    // 16 apart along the lines, at 3 a second.
+    let now = reading(&run.outcome(), "time");
+    assert!((now + together - 16.0 / 3.0).abs() < 1e-9, "{together} from {now} on");
     for (supposition, speed) in [("obstacle", 2.0), ("robot", 1.0)] {
         let supposed = run.suppose(item, supposition, 0).unwrap().unwrap();
         assert!((value(&supposed, "t") - 3.0 / speed * together).abs() < 1e-9, "{supposition}");

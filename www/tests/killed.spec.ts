@@ -28,19 +28,19 @@ test('a thread that is ended at a random moment takes nothing along that was mad
   expect(scene).not.toEqual(shipped)
 
   let [planner, population, seed] = ['wcpso', 0, 1]
-  const deeds = ['play', 'seek', 'step', 'population', 'seed', 'planner']
+  const actions = ['play', 'seek', 'step', 'population', 'seed', 'planner']
   for (let kill = 0; kill < KILLS; kill += 1) {
-    const deed = deeds[(kill + below(2)) % deeds.length] ?? ''
-    await test.step(`${deed}, then its end`, async () => {
-      if (deed === 'play') await lab.press(en.transport.play)
-      else if (deed === 'seek') await lab.timeline.fill(String(below(500)))
-      else if (deed === 'step') await page.getByTestId('step-forward').click()
-      else if (deed === 'population') {
+    const action = actions[(kill + below(2)) % actions.length] ?? ''
+    await test.step(`${action}, then its end`, async () => {
+      if (action === 'play') await lab.press(en.transport.play)
+      else if (action === 'seek') await lab.timeline.fill(String(below(500)))
+      else if (action === 'step') await page.getByTestId('step-forward').click()
+      else if (action === 'population') {
         population = 5 + below(50)
         const parameters = await lab.section('parameters')
         await parameters.locator('[data-parameter="population"] input.typed').fill(String(population))
         await page.keyboard.press('Enter')
-      } else if (deed === 'seed') {
+      } else if (action === 'seed') {
         seed = 1 + below(1000)
         await page.getByTestId('seed').fill(String(seed))
         await page.keyboard.press('Enter')

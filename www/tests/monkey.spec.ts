@@ -19,7 +19,7 @@ const BEGINNINGS: Record<string, string> = {
 }
 
 for (const [k, [name, link]] of Object.entries(BEGINNINGS).entries()) {
-  test(`${ACTIONS / 4} random actions from ${name} on break nothing`, async ({ lab, page }) => {
+  test(`${ACTIONS / 4} random actions from ${name} on break nothing`, { tag: '@smoke' }, async ({ lab, page }) => {
     test.setTimeout(60_000 + ACTIONS * 60)
     page.on('dialog', (dialog) => void (dialog.type() === 'beforeunload' ? dialog.accept() : dialog.dismiss()))
     await page.goto(SITE + link)

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test'
 
 /** What a monkey did in the page: how often what, and which were the last. */
-export interface Deeds {
+export interface MonkeyReport {
   counts: Record<string, number>
   last: string[]
 }
@@ -37,7 +37,7 @@ export const watchThreads = (page: Page): Promise<unknown> =>
  * So many random actions by a seed: clicks on what can be clicked, values for what takes one, keys, the pointer and the wheel on the stage,
  * back and forward. Nothing leaves the page: links to other places are not followed.
  */
-export const monkey = (page: Page, seed: number, actions: number): Promise<Deeds> =>
+export const monkey = (page: Page, seed: number, actions: number): Promise<MonkeyReport> =>
   page.evaluate(
     async ([seed, actions]) => {
       let state = seed >>> 0
@@ -127,15 +127,15 @@ export const monkey = (page: Page, seed: number, actions: number): Promise<Deeds
       }
       for (let k = 0; k < actions; k += 1) {
         const which = unit()
-        let deed = ''
+        let action = ''
         if (which < 0.04) {
-          deed = one(['back', 'forward'])
+          action = one(['back', 'forward'])
           const { navigation } = window as unknown as { navigation: { canGoBack: boolean; canGoForward: boolean } }
-          if (deed === 'back' && navigation.canGoBack) history.back()
-          if (deed === 'forward' && navigation.canGoForward) history.forward()
+          if (action === 'back' && navigation.canGoBack) history.back()
+          if (action === 'forward' && navigation.canGoForward) history.forward()
         } else if (which < 0.14) {
           const key = one(KEYS)
-          deed = `key ${key}`
+          action = `key ${key}`
           const target = document.activeElement ?? document.body
           for (const type of ['keydown', 'keyup'])
             target.dispatchEvent(
@@ -148,13 +148,13 @@ export const monkey = (page: Page, seed: number, actions: number): Promise<Deeds
           )
           const element = all.length > 0 ? one(all) : undefined
           if (element) {
-            deed = `${act(element)} ${nameOf(element)}`
+            action = `${act(element)} ${nameOf(element)}`
             element.focus()
           }
         }
-        const kind = deed.split(' ')[0] ?? ''
+        const kind = action.split(' ')[0] ?? ''
         counts[kind] = (counts[kind] ?? 0) + 1
-        last.push(deed)
+        last.push(action)
         if (last.length > 12) last.shift()
         await new Promise((passed) => setTimeout(passed, unit() < 0.05 ? 120 : 4))
       }
