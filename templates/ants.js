@@ -13,7 +13,7 @@ register({
     { name: 'rho', title: 'Evaporation', symbol: '\\rho', default: 0.1, min: 0, max: 1 },
   ],
   layers: [
-    { name: 'trails', title: 'Trails', help: 'The shortest tour of this iteration.' },
+    { name: 'trails', title: 'Iteration best', help: 'The shortest tour of this iteration.' },
     { name: 'tour', title: 'Shortest', help: 'The shortest tour so far.' },
   ],
   formulas: [{ name: 'choice', title: 'Probability of the next stop', tex: 'p_j \\propto \\tau_{ij}^\\alpha / d_{ij}^\\beta' }],
@@ -26,7 +26,7 @@ register({
   },
 
   advance(state, { params, evaluate, random, math }) {
-    // The same for all ants: computed once.
+    // The weights are the same for all ants: they are computed once.
     const pull = state.pheromone.map((tau, k) => math.pow(tau, params.alpha) * state.nearness[k])
     let [order, cost] = [null, Infinity]
     for (let ant = 0; ant < params.ants; ant += 1) {

@@ -1,4 +1,4 @@
-// Particle swarm optimisation: the planner `pso` in 40 lines. It finds the same positions, bit by bit.
+// Particle swarm optimisation: the planner `pso`, written in JavaScript. It finds the same positions, bit by bit.
 import { register } from 'forage-lab'
 
 register({
@@ -32,7 +32,7 @@ register({
         const most = 0.2 * (box.high[j] - box.low[j])
         const v = clamp(w * particle.v[j] + c1 * r1 * (particle.p[j] - x) + c2 * r2 * (g.p[j] - x), -most, most)
         const reached = clamp(x + v, box.low[j], box.high[j])
-        // It stops at the side of the box.
+        // It stops at the side of the box, in this coordinate.
         particle.v[j] = reached === x + v ? v : 0
         return reached
       })
@@ -51,7 +51,7 @@ register({
     pen.points('best', [g.p])
   },
 
-  explain: ({ particles }, { index }) => ({ title: `Particle ${index + 1}`, summary: 'Its personal best so far:', values: { cost: particles[index].cost } }),
+  explain: ({ particles }, { index }) => ({ title: `Particle ${index + 1}`, summary: 'The cost of its personal best:', values: { cost: particles[index].cost } }),
 })
 
 const clamp = (x, low, high) => Math.min(high, Math.max(low, x))
