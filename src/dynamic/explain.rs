@@ -1,5 +1,8 @@
 //! The numbers of a drive, and why it went as it did.
 
+#[cfg(test)]
+mod tests;
+
 use crate::{
     describe::layers,
     geometry::closest_approach,

@@ -2,8 +2,8 @@ use std::{collections::BTreeSet, sync::Arc};
 
 use crate::{
     Run, Scene, Setup, Status, Value,
-    describe::{Entries, Entry, Start, layers},
-    kernel::{Border, Error, Event, Inspection, Item, Solution, Stepped, Track, part::with_parts_of},
+    describe::{Entries, Entry, Start},
+    kernel::{Border, Error, Event, Solution, Stepped, Track, part::with_parts_of},
     params::{Overrides, Parameters},
     run::Outcome,
     scene::GridScene,
@@ -14,7 +14,7 @@ use super::wolf_ant_drive;
 
 const DRIVES: [&str; 3] = ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"];
 
-fn start(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Run {
+pub(super) fn start(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Run {
     let params: Overrides = params.iter().map(|(name, value)| (*name, value.clone())).collect();
     Run::new(standard(), Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
@@ -26,7 +26,7 @@ fn run(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -
 }
 
 /// A grid of cells of side 2 with a robot of radius 1 that goes 2 a second and turns in 1 s, margin 1.
-fn scene(rows: &[&str], ends: [[f64; 2]; 2], moving: &str) -> Arc<Scene> {
+pub(super) fn scene(rows: &[&str], ends: [[f64; 2]; 2], moving: &str) -> Arc<Scene> {
     let text = format!(
         r#"{{"format": "forage-scene", "version": 1, "kind": "grid", "name": "m", "title": "M", "cell": 2, "rows": {rows:?},
             "start": {:?}, "goal": {:?}, "robot": {{"speed": 2, "turn_time": 1, "sensor": 12, "radius": 1, "margin": 1, "look_ahead": 6}},
@@ -44,7 +44,7 @@ fn event<'a>(outcome: &'a Outcome, kind: &str) -> &'a Event {
     outcome.events.iter().find(|event| event.kind == kind).unwrap_or_else(|| panic!("no {kind} in {:?}", outcome.events))
 }
 
-fn reading(outcome: &Outcome, name: &str) -> f64 {
+pub(super) fn reading(outcome: &Outcome, name: &str) -> f64 {
     outcome.readings.iter().find(|(n, _)| *n == name).unwrap().1
 }
 
@@ -293,39 +293,6 @@ fn an_obstacle_far_away_is_no_reason_for_anything() {
         let outcome = run(planner, &scene, &[], 1);
         assert_eq!(kinds(&outcome), ["set-out", "arrived"]);
     }
-}
-
-/// They come towards each other on lines 4 apart, at 2 and 1 a second: nearest where they are abreast, sooner or later by who moves.
-#[test]
-fn an_obstacle_and_the_robot_can_be_supposed_to_stand_still() {
-    let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [17, 9], "radius": 1, "velocity": [-1, 0]}"#);
-    let mut run = start("a-star-drive", &scene, &[], 1);
-    run.step(10);
-    let item = Item { layer: layers::MOVING.key, index: 0 };
-    let told = run.inspect(item).unwrap();
-    let value = |told: &Inspection, name: &str| told.values.iter().find(|value| value.label.name == name).unwrap().value;
-    let together = value(&told, "t");
-    // 16 apart along the lines, at 3 a second.
-    let now = reading(&run.outcome(), "time");
-    assert!((now + together - 16.0 / 3.0).abs() < 1e-9, "{together} from {now} on");
-    for (supposition, speed) in [("obstacle", 2.0), ("robot", 1.0)] {
-        let supposed = run.suppose(item, supposition, 0).unwrap().unwrap();
-        assert!((value(&supposed, "t") - 3.0 / speed * together).abs() < 1e-9, "{supposition}");
-        assert!((value(&supposed, "d") - 2.0).abs() < 1e-9, "{supposition}: 4 less both radii");
-        assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key));
-    }
-}
-
-/// It goes up from y = 7 at 1 a second and turns at the wall, at y = 9: until then, and no longer, it goes on as it goes.
-#[test]
-fn how_near_an_obstacle_comes_is_told_until_it_turns() {
-    let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [17, 7], "radius": 1, "velocity": [0, 1]}"#);
-    let mut run = start("a-star-drive", &scene, &[("border", Value::from("bounce"))], 1);
-    run.step(5);
-    let told = run.inspect(Item { layer: layers::MOVING.key, index: 0 }).unwrap();
-    let time = told.values.iter().find(|value| value.label.name == "t").unwrap().value;
-    let now = reading(&run.outcome(), "time");
-    assert!(now > 0.1 && (now + time - 2.0).abs() < 1e-9, "{time} from {now} on");
 }
 
 /// A blind robot drives its way whatever comes. However long a period is and however fast the obstacle, the smallest
