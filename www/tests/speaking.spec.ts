@@ -55,6 +55,8 @@ test('templates are in the language that is chosen, as long as nobody has change
     await expect(editor.locator('.cm-line').first()).toHaveText(/^\/\/ .*[\u3400-\u9fff].*。|^\/\/ .*？/)
     await expect(page.getByTestId('state')).toContainText('页面正在运行这段代码')
   }
+  // Chinese has no italics.
+  await expect(editor.locator('.cm-line').first().locator('span').first()).toHaveCSS('font-style', 'normal')
   await page.locator('input.timeline').fill('20')
   const hash = await lab.settled(20)
   // That the template before was another planner is a change; its language is none.
@@ -63,6 +65,7 @@ test('templates are in the language that is chosen, as long as nobody has change
   await page.getByTestId('language').click()
   await expect(editor).toContainText('Takes a random step')
   await expect(page.getByTestId('template')).toHaveValue('Hill climber')
+  await expect(editor.locator('.cm-line').first().locator('span').first()).toHaveCSS('font-style', 'italic')
   await expect(page.getByTestId('state')).toContainText('The page runs this code')
   expect(await lab.settled(20)).toBe(hash)
   await expect(page.getByTestId('fork')).toHaveCount(0)

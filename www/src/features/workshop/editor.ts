@@ -52,7 +52,7 @@ const COLOURS = HighlightStyle.define([
   { tag: [tags.keyword, tags.controlKeyword, tags.definitionKeyword, tags.moduleKeyword, tags.operatorKeyword], color: 'var(--series-2)' },
   { tag: [tags.string, tags.special(tags.string), tags.regexp], color: 'var(--series-8)' },
   { tag: [tags.number, tags.bool, tags.null], color: 'var(--series-3)' },
-  { tag: tags.comment, color: 'var(--ink-2)', fontStyle: 'italic' },
+  { tag: tags.comment, color: 'var(--ink-2)', fontStyle: 'var(--slant)' },
   { tag: [tags.function(tags.variableName), tags.function(tags.propertyName)], color: 'var(--series-7)' },
 ])
 
