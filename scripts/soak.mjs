@@ -118,7 +118,7 @@ async function open(link) {
   await page.locator('[data-testid=app][data-phase=ready][data-hash]:not([data-hash=""])').waitFor({ timeout: 60_000 })
 }
 
-const counts = { runs: 0, explanations: 0, seeks: 0, edits: 0, forks: 0, comparisons: 0 }
+const counts = { runs: 0, clicks: 0, seeks: 0, edits: 0, forks: 0, comparisons: 0 }
 const scene = () => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('scene'))
 const found = async (id) => (await page.getByTestId(id).count()) > 0
 
@@ -158,7 +158,7 @@ async function drag({ x, y, width, height }) {
   }
 }
 
-/** Plays a run, explains items of it, seeks, edits it, and compares it with what it was. */
+/** Plays a run, seeks, clicks on what is shown, which explains it, edits it, and compares it with what it was. */
 async function use(link) {
   await open(link)
   await page.getByTestId('speed').selectOption('Infinity')
@@ -174,7 +174,7 @@ async function use(link) {
   const box = await page.getByTestId('stage').boundingBox()
   await page.getByTestId('tab-explain').click()
   for (let k = 0; k < 3; k += 1) await page.mouse.click(box.x + box.width * unit(), box.y + box.height * unit())
-  counts.explanations += 3
+  counts.clicks += 3
   await drag(box)
   await change()
   if (!(await found('fork'))) return
@@ -235,7 +235,7 @@ console.log(
     .map(([what, count]) => `${count} ${what}`)
     .join(', '),
 )
-if (at && later.length > 0) {
+if (later.length > 0) {
   for (const what of ['held', 'resident']) {
     const shares = later.map((sample) => sample[what] / at[what])
     const [least, most] = [Math.min(...shares), Math.max(...shares)]
@@ -243,5 +243,7 @@ if (at && later.length > 0) {
     if (least < 1 - WITHIN || most > 1 + WITHIN) errors.push(`${what} memory left ±${100 * WITHIN} %`)
   }
 }
+if (later.length === 0) errors.push('there are too few samples to compare')
+if (positionals.length === 0 && (counts.forks === 0 || counts.edits === 0)) errors.push('nothing was edited')
 for (const error of errors) console.error(error)
 process.exit(errors.length > 0 ? 1 : 0)

@@ -77,6 +77,29 @@ test('templates are in the language that is chosen, as long as nobody has change
   await expect(editor).toContainText('* normal() * 0.5')
 })
 
+test('a template that somebody sent stays in the language in which it was sent, and is the run that the link has', async ({
+  lab,
+  page,
+}) => {
+  await page.goto('./#view=workshop')
+  await page.getByTestId('editor').waitFor()
+  await pick(page, 'template', 'hill-climber')
+  await expect(page.getByTestId('state')).toContainText('The page runs this code')
+  const hash = await lab.seek(20)
+  await page.getByTestId('view-lab').click()
+  const link = await lab.link(hash)
+  await page.evaluate(() => localStorage.clear())
+  await page.goto('about:blank')
+  await page.goto(`./${link}&page.lang=zh-CN`)
+  await page.getByTestId('offer-edit').click()
+  await expect(page.locator('html')).toHaveAttribute('lang', 'zh-CN')
+  await expect(page.getByTestId('editor')).toContainText('Takes a random step')
+  await page.getByTestId('run-code').click()
+  await expect(page.getByTestId('state')).toContainText('页面正在运行这段代码')
+  expect(await lab.settled(20)).toBe(hash)
+  await expect(page.getByTestId('editor')).toContainText('Takes a random step')
+})
+
 test('what the core said is said in the language that is chosen, and the run stays as it is', async ({ lab, page }) => {
   await lab.open(`${DRIVE}&page.tab=chart`)
   const hash = await lab.settled(200)

@@ -70,7 +70,7 @@ fn the_column_is_an_obstacle_of_forearm_tool_and_tip() {
     assert!(!touches(&scene, &posture(-90.0), 0.0), "forwards, away from it");
 }
 
-/// The distance of the links' points from what they must not touch, a point every 2 mm: written anew, and without the module.
+/// The distance of the links' points from what they must not touch, a point every 2 mm, computed without the module.
 fn room_at(scene: &ArmScene, skeleton: &Skeleton) -> f64 {
     let norm = |x: [f64; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
     let apart = |p: [f64; 3], low: [f64; 3], high: [f64; 3]| norm([0, 1, 2].map(|i| p[i] - p[i].clamp(low[i], high[i])));

@@ -143,7 +143,6 @@ export class Workshop {
     if (code === this.text) return
     const { current } = this
     this.uncut = ''
-    this.foreign = false
     this.refused = null
     this.save(code)
     if (current) void this.apply(true)
