@@ -58,12 +58,13 @@ fn check(outcome: &Outcome, scene: &Scene, name: &str) {
     let parts = number("driving") + number("turning_time") + number("waited");
     assert!((number("time") - parts).abs() < 1e-6, "{name}: {} {parts}", number("time"));
     assert!(outcome.events.windows(2).all(|pair| pair[0].iteration <= pair[1].iteration), "{name}");
-    let told = outcome.events.iter().filter(|event| event.kind == "collision").count();
-    assert_eq!(told as f64, number("collisions"), "{name}: each is told");
+    let collisions = outcome.events.iter().filter(|event| event.kind == "collision").count();
+    assert_eq!(collisions as f64, number("collisions"), "{name}: each has an event");
+    assert_eq!(outcome.failed_at, None, "{name}: no cost is computed at a position");
     if outcome.status == Status::Solved {
         assert_eq!(outcome.events.last().unwrap().kind, "arrived");
         assert!((outcome.length.unwrap() - number("length")).abs() < 1e-6, "{name}");
-        assert_eq!(outcome.feasible, told == 0, "{name}: what touches nothing is feasible, and nothing else");
+        assert_eq!(outcome.feasible, collisions == 0, "{name}: what touches nothing is feasible, and nothing else");
         assert!((outcome.cost.unwrap() - number("time")).abs() < 1e-12);
         let (moments, path) = (&outcome.moments, outcome.path.as_ref().unwrap());
         assert!(moments.is_sorted_by(|a, b| a[0] < b[0]) && moments[0] == [0.0, path[0][0], path[0][1]], "{name}");
@@ -143,10 +144,10 @@ fn a_collision_is_foreseen_at_the_exact_time_and_avoided() {
         assert!(outcome.feasible, "{planner}: {:?}", outcome.events);
         let foreseen = event(&outcome, "foreseen");
         assert!(foreseen.reason.text().contains("obstacle 1"));
-        // It is told when the sensor (12) first sees its rim, within 6 s.
-        let told = foreseen.time;
+        // The event is when the sensor (12) first sees its rim, within 6 s.
+        let foreseen_at = foreseen.time;
         let within: f64 = foreseen.reason.text().split(" s").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
-        assert!((told + within - exact).abs() < 0.06, "{planner}: {told} + {within}, not {exact}");
+        assert!((foreseen_at + within - exact).abs() < 0.06, "{planner}: {foreseen_at} + {within}, not {exact}");
         assert!(reading(&outcome, "smallest_distance") >= 1.0 - 1e-6, "{planner}: the margin is kept");
         let way = ["detour", "replan", "wait", "evade"].iter().any(|kind| kinds(&outcome).contains(kind));
         assert!(way, "{planner}: {:?}", kinds(&outcome));
@@ -168,7 +169,7 @@ fn it_waits_where_there_is_no_way_round() {
     }
 }
 
-/// In a dead end something wide and fast comes: nothing helps. The collision is told, counted, and makes the result bad.
+/// In a dead end something wide and fast comes: nothing helps. The collision has an event, counts, and makes the result bad.
 #[test]
 fn a_collision_that_cannot_be_avoided_is_told() {
     let rows = ["##########", "..........", "##########"];
@@ -186,7 +187,7 @@ fn a_collision_that_cannot_be_avoided_is_told() {
         assert!(event(&outcome, "cornered").reason.text().contains("No safe motion was found"));
         let grid = scene.get::<GridScene>().unwrap();
         let [x, y] = grid.moving[0].at(collision.time, Border::Leave, grid.bounds());
-        assert!((apart([x, y], collision.place) - 3.0).abs() < 1e-6, "told at the moment of contact");
+        assert!((apart([x, y], collision.place) - 3.0).abs() < 1e-6, "the event is at the moment of contact");
     }
 }
 
@@ -309,14 +310,14 @@ fn nothing_tunnels_at_any_speed() {
             let scene = scene(&rows, [[1.0, 5.0], [23.0, 5.0]], &moving);
             // What is faster bounces too often, and is refused.
             let (name, border) = if speed > 600.0 { ("leave", Border::Leave) } else { ("bounce", Border::Bounce) };
-            let told = |period: f64| {
+            let drive_with = |period: f64| {
                 let params = [("sensor", 0.0), ("period", period)].map(|(name, value)| (name, Value::from(value)));
                 let params = [("robot", Value::from("given")), ("border", Value::from(name))].into_iter().chain(params);
                 let outcome = run("a-star-drive", &scene, &params.collect::<Vec<_>>(), 1);
                 check(&outcome, &scene, "blind");
                 (reading(&outcome, "collisions"), reading(&outcome, "smallest_distance"))
             };
-            let all = [10.0, 1.0, 0.1, 0.037].map(told);
+            let all = [10.0, 1.0, 0.1, 0.037].map(drive_with);
             for (collisions, gap) in all {
                 assert_eq!(collisions, all[0].0, "{speed}: {all:?}");
                 assert!((gap - all[0].1).abs() < 1e-6, "{speed}: {all:?}");
