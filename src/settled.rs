@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn it_has_settled_since_the_mean_was_last_far() {
         let mut settled = Settled::default();
-        let told: Vec<f64> = [(1.2, 1.0), (1.01, 1.0), (1.0, 1.0), (f64::NAN, 1.0), (1.02, 1.0), (1.005, 1.0), (1.0, 1.0)]
+        let settled: Vec<f64> = [(1.2, 1.0), (1.01, 1.0), (1.0, 1.0), (f64::NAN, 1.0), (1.02, 1.0), (1.005, 1.0), (1.0, 1.0)]
             .into_iter()
             .enumerate()
             .map(|(k, (mean, best))| {
@@ -55,7 +55,7 @@ mod tests {
                 settled.iteration()
             })
             .collect();
-        assert_eq!(told.iter().map(|t| t.is_nan()).collect::<Vec<_>>(), [true, false, false, true, true, false, false]);
-        assert_eq!((told[2], told[6]), (1.0, 5.0));
+        assert_eq!(settled.iter().map(|t| t.is_nan()).collect::<Vec<_>>(), [true, false, false, true, true, false, false]);
+        assert_eq!((settled[2], settled[6]), (1.0, 5.0));
     }
 }

@@ -249,10 +249,10 @@ function call(what, make) {
   try {
     return { value: make() }
   } catch (error) {
-    const told = () => `${what()}\n${error?.stack ?? error}`
-    assert.ok(error instanceof Error && !(error instanceof ModuleDead), told())
-    assert.ok(['refused', 'unknown', 'unsupported', 'malformed'].includes(error.code), told())
-    assert.ok(error.message && typeof error.field === 'string', told())
+    const problem = () => `${what()}\n${error?.stack ?? error}`
+    assert.ok(error instanceof Error && !(error instanceof ModuleDead), problem())
+    assert.ok(['refused', 'unknown', 'unsupported', 'malformed'].includes(error.code), problem())
+    assert.ok(error.message && typeof error.field === 'string', problem())
     return { error }
   }
 }

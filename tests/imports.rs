@@ -13,14 +13,14 @@ const CRATES: [&str; 4] = ["src/lib.rs", "crates/shell/src/lib.rs", "crates/deri
 
 /// Every circle of every crate, edge by edge; empty if there is none.
 fn found() -> String {
-    let mut told = String::new();
+    let mut found = String::new();
     for root in CRATES {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(root);
         let arrows = arrows(&path);
         let folder = Path::new(root).parent().unwrap().to_string_lossy().into_owned();
-        circles(&arrows).iter().for_each(|circle| tell(&folder, &arrows, circle, &mut told));
+        circles(&arrows).iter().for_each(|circle| tell(&folder, &arrows, circle, &mut found));
     }
-    told
+    found
 }
 
 /// Every edge of a circle, with the names that make it.
@@ -36,8 +36,8 @@ fn tell(folder: &str, arrows: &Arrows, circle: &BTreeSet<String>, out: &mut Stri
 
 #[test]
 fn files_import_one_way() {
-    let told = found();
-    assert!(told.is_empty(), "{told}");
+    let found = found();
+    assert!(found.is_empty(), "{found}");
 }
 
 /// The reader sees what hides behind `pub use`, inside of functions and in macros, and not what only tests use.

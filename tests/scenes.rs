@@ -62,10 +62,10 @@ fn an_arm_among_too_many_cuboids_has_the_optimum_of_its_file() {
         standard().read_scene_value(value).unwrap()
     };
     let many = forage::exact::MAX_EXACT_CUBOIDS + 1;
-    let told = |scene: &Scene| scene.exact().map(|exact| (exact.length, exact.stored));
-    assert_eq!(told(&with(many, Some(1.5))), Some((1.5, true)));
-    assert_eq!(told(&with(many, None)), None);
-    assert!(told(&with(many - 1, Some(1.5))).is_some_and(|(length, stored)| length < 1.36 && !stored));
+    let exact = |scene: &Scene| scene.exact().map(|exact| (exact.length, exact.stored));
+    assert_eq!(exact(&with(many, Some(1.5))), Some((1.5, true)));
+    assert_eq!(exact(&with(many, None)), None);
+    assert!(exact(&with(many - 1, Some(1.5))).is_some_and(|(length, stored)| length < 1.36 && !stored));
 }
 
 /// A grid's robot is part of the scene; its optimum as a point is stored too.
@@ -164,13 +164,13 @@ fn bats_find_the_exact_tour_of_the_twelve_stops() {
     let exact = scene.exact_tour(ReferenceOptimum::Cells, TourEnds::Closed).unwrap();
     assert!((exact.length - 122.083_261_120_685).abs() < 1e-9, "{}", exact.length);
     // From the first stop, in the direction whose second stop has the smaller number.
-    let told = |order: &[usize]| {
+    let normal = |order: &[usize]| {
         let at = order.iter().position(|&stop| stop == 0).unwrap();
-        let mut told = [&order[at..], &order[..at]].concat();
-        if told[1] > told[order.len() - 1] {
-            told[1..].reverse();
+        let mut normal = [&order[at..], &order[..at]].concat();
+        if normal[1] > normal[order.len() - 1] {
+            normal[1..].reverse();
         }
-        told
+        normal
     };
     for [roads, local_search] in [["dijkstra", "none"], ["aco-direction", "none"], ["dijkstra", "2-opt"]] {
         let outcome = |seed| {
@@ -184,7 +184,7 @@ fn bats_find_the_exact_tour_of_the_twelve_stops() {
         };
         let found: Vec<_> = (1..=30).map(outcome).collect();
         let as_long = found.iter().filter(|outcome| outcome.gap == Some(0.0)).count();
-        let ordered = found.iter().filter(|outcome| told(outcome.order.as_ref().unwrap()) == told(&exact.order)).count();
+        let ordered = found.iter().filter(|outcome| normal(outcome.order.as_ref().unwrap()) == normal(&exact.order)).count();
         let detour = found.iter().filter_map(|outcome| outcome.length).fold(0.0, f64::max) - exact.length;
         let least = if roads == "dijkstra" { 28 } else { 24 };
         assert!(as_long >= least && ordered >= 28, "{roads}: {as_long} as long as the exact tour, {ordered} in its order, of 30");

@@ -66,7 +66,7 @@ test('what is refused has its fields, and calls are answered in their order', as
   await assert.rejects(WorkerSession.start({ planner: 'pso', scene }), { field: 'scene.objective' })
   assert.throws(() => new WorkerSession(), TypeError)
   const session = await WorkerSession.start(setup)
-  const told = await Promise.all([
+  const answer = await Promise.all([
     session.step(2),
     session.iteration,
     session.step(Number.NaN).catch(({ code, field, value, message }) => ({ code, field, value, message })),
@@ -76,9 +76,9 @@ test('what is refused has its fields, and calls are answered in their order', as
     session.iteration,
   ])
   const refused = { code: 'refused', field: 'n', value: 'NaN' }
-  const { message } = told[2]
+  const { message } = answer[2]
   assert.match(message, /^n: NaN is not allowed; it must be a whole number/)
-  assert.deepEqual(told, ['running', 2, { ...refused, message }, '<svg', 'running', 5])
+  assert.deepEqual(answer, ['running', 2, { ...refused, message }, '<svg', 'running', 5])
   await assert.rejects(session.paintField({}, [0, 0], [1, 1]), { code: 'refused', field: 'ctx' })
   session.free()
 })

@@ -138,11 +138,11 @@ impl Explain for @TYPE@ {
             return None;
         }
         let summary = message!("@NAME@-drawn", "It was drawn uniformly in the scene.");
-        let mut told = Inspection::new(item, message!("@NAME@-corner", "Corner"), "drawn", summary);
-        told.values = vec![
+        let mut inspection = Inspection::new(item, message!("@NAME@-corner", "Corner"), "drawn", summary);
+        inspection.values = vec![
             label!("@NAME@-x", "x", "x", "x coordinate").is(self.corner[0]),
             label!("@NAME@-y", "y", "y", "y coordinate").is(self.corner[1]),
         ];
-        Some(told)
+        Some(inspection)
     }
 }

@@ -12,7 +12,7 @@ use super::{
     walk::{End, Walks},
 };
 
-/// Cells looked at beyond which single steps are not told apart.
+/// Cells looked at beyond which single steps cannot be seen.
 const NEAR: usize = 2500;
 
 /// How much more lies on the strongest step from each cell than where no ant has been; of large grids, on the strongest of a square

@@ -271,9 +271,9 @@ pub(super) fn other_ant(colony: &Colony, item: Item, supposition: &str, others: 
     next.iteration += 1;
     next.walks.clear();
     next.send();
-    let mut told = next.walks.ants.first().filter(|_| item.index < colony.ants).map(|ant| walked(&next, item, ant))?;
-    told.marks.iter_mut().for_each(|mark| mark.layer = layers::AFTER.key);
-    Some(told)
+    let mut inspection = next.walks.ants.first().filter(|_| item.index < colony.ants).map(|ant| walked(&next, item, ant))?;
+    inspection.marks.iter_mut().for_each(|mark| mark.layer = layers::AFTER.key);
+    Some(inspection)
 }
 
 /// How far an ant of this iteration came and what it laid.

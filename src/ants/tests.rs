@@ -61,14 +61,14 @@ fn probabilities_follow_the_formula() {
     let mut colony = colony(&scene, PLAIN);
     // From (0, 0): east (1, 0) is √2 from (2, 1), south-east (1, 1) is 1 from it, south (0, 1) is 2 from it.
     colony.pheromone.favour(&colony.ground, 0, 0, 3.0);
-    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 0 }, None).unwrap();
-    let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
+    let inspection = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 0 }, None).unwrap();
+    let p: Vec<_> = inspection.rows.iter().map(|row| *row.last().unwrap()).collect();
     let (east, diagonal, south) = (3.0 * 0.5, 1.0, 0.25);
     let sum = east + diagonal + south;
     for (p, weight) in p.iter().zip([east, diagonal, south, 0.0, 0.0, 0.0, 0.0, 0.0]) {
         assert!((p - weight / sum).abs() < 1e-15, "{p} {}", weight / sum);
     }
-    assert_eq!(told.labels[1].text(), "south-east", "y grows downwards");
+    assert_eq!(inspection.labels[1].text(), "south-east", "y grows downwards");
     // And that is how often it is chosen.
     let weights = *colony.pheromone.weights(&colony.ground.clone(), 0);
     let mut rng = Stream::new(3, 0);
@@ -94,7 +94,7 @@ fn a_turn_costs_what_psi_says() {
 }
 
 fn lay(update: Update, lengths: &[(&str, f64)]) -> Vec<f64> {
-    // Ways are told apart by their directions, so each name becomes one.
+    // Ways differ by their directions, so each name becomes one.
     let mut walks = Walks::default();
     for &(way, length) in lengths {
         walks.push_for_test(way.as_bytes(), length);
@@ -284,15 +284,15 @@ fn greed_is_what_is_told() {
     let scene = crate::shipped("ant-bat-30").unwrap();
     let params = [("q0_start", "1"), ("q0_end", "0"), ("iterations", "3")];
     let mut run = run(&scene, "aco-dijkstra", &params, 1);
-    let mut told = Vec::new();
+    let mut inspection = Vec::new();
     for _ in 0..3 {
         run.step(1);
         let readings = run.readings();
-        told.push(readings.get("q0").unwrap());
+        inspection.push(readings.get("q0").unwrap());
         let alike = (readings.get("mean").unwrap() - readings.get("best").unwrap()).abs() < 1e-9;
-        assert_eq!(alike, told.len() == 1, "all greedy: all alike");
+        assert_eq!(alike, inspection.len() == 1, "all greedy: all alike");
     }
-    assert_eq!(told, [1.0, 0.5, 0.0]);
+    assert_eq!(inspection, [1.0, 0.5, 0.0]);
 }
 
 /// An ant in a dead end has neither a length nor a share of pheromone.
@@ -304,10 +304,10 @@ fn an_ant_s_card_has_a_length_where_it_arrived() {
         let mut run = run(&scene, "aco", &[("ants", "10"), ("dead_end", "stay")], seed);
         run.step(1);
         for index in 0..10 {
-            let told = run.inspect(Item { layer: layers::ANTS.key, index }).unwrap();
-            let has = |name: &str| told.values.iter().any(|value| value.label.name == name);
-            assert_eq!([has("length"), has("laid")], [told.event == "arrived"; 2], "{}", told.summary);
-            ends.insert(told.event);
+            let inspection = run.inspect(Item { layer: layers::ANTS.key, index }).unwrap();
+            let has = |name: &str| inspection.values.iter().any(|value| value.label.name == name);
+            assert_eq!([has("length"), has("laid")], [inspection.event == "arrived"; 2], "{}", inspection.summary);
+            ends.insert(inspection.event);
         }
     }
     assert!(ends.contains("arrived") && ends.contains("stuck"), "{ends:?}");
@@ -319,10 +319,10 @@ fn a_cell_s_card_leaves_out_what_lies_behind() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
     let mut colony = colony(&scene, PLAIN);
     colony.advance();
-    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }, None).unwrap();
-    let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
+    let inspection = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }, None).unwrap();
+    let p: Vec<_> = inspection.rows.iter().map(|row| *row.last().unwrap()).collect();
     assert_eq!((p[0], p[4]), (1.0, 0.0));
-    assert!(told.summary.text().contains("coming from the west"));
+    assert!(inspection.summary.text().contains("coming from the west"));
 }
 
 /// Each factor of (3) can be left out: what is left is divided by its own sum.
@@ -331,13 +331,13 @@ fn a_cell_without_one_of_its_factors_is_the_product_of_the_others() {
     let mut run = run(&crate::shipped("ant-bat-30").unwrap(), "aco-direction", &[("iterations", "20"), ("beta", "2")], 4);
     run.step(20);
     let item = Item { layer: layers::PHEROMONE.key, index: 26 * 30 + 1 };
-    let told = run.inspect(item).unwrap();
-    let column = |told: &crate::kernel::Inspection, name: &str| -> Vec<f64> {
-        let k = told.columns.iter().position(|label| label.name == name).unwrap();
-        told.rows.iter().map(|row| row[k]).collect()
+    let inspection = run.inspect(item).unwrap();
+    let column = |inspection: &crate::kernel::Inspection, name: &str| -> Vec<f64> {
+        let k = inspection.columns.iter().position(|label| label.name == name).unwrap();
+        inspection.rows.iter().map(|row| row[k]).collect()
     };
-    let [tau, eta, psi] = ["tau", "eta", "psi"].map(|name| column(&told, name));
-    let exponent = |name: &str| told.values.iter().find(|value| value.label.name == name).unwrap().value;
+    let [tau, eta, psi] = ["tau", "eta", "psi"].map(|name| column(&inspection, name));
+    let exponent = |name: &str| inspection.values.iter().find(|value| value.label.name == name).unwrap().value;
     let exponents = ["alpha", "beta", "gamma"].map(exponent);
     for (k, name) in ["pheromone", "sight", "direction"].into_iter().enumerate() {
         let weights: Vec<f64> = (0..8)

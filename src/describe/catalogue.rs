@@ -69,9 +69,9 @@ impl Registry {
             let parameters = follower.parameters.iter().copied().flatten().map(|p| p.symbol);
             parameters.chain(follower.columns.iter().map(|column| column.symbol))
         });
-        let told = sentences().into_iter().map(|sentence| sentence.symbol);
+        let summed = sentences().into_iter().map(|sentence| sentence.symbol);
         let mut symbols = Vec::new();
-        for symbol in planners.chain(followers).chain(told) {
+        for symbol in planners.chain(followers).chain(summed) {
             if !symbol.is_empty() && !symbols.contains(&symbol) {
                 symbols.push(symbol);
             }

@@ -23,7 +23,7 @@ pub struct Reading {
 }
 
 /// The iteration in which the best solution was found. Planners read it of their subtasks. Each planner says in its own words
-/// what it counts, by [`Reading::told`].
+/// what it counts, by [`Reading::described`].
 pub const CONVERGED: Reading = Reading::new("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
 
 impl ReadingName for Reading {
@@ -40,7 +40,7 @@ impl Reading {
 
     /// The same number with another symbol, title and help text.
     #[must_use]
-    pub const fn told(self, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
+    pub const fn described(self, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
         Self { symbol: words(symbol), title: words(title), help: words(help), ..self }
     }
 }

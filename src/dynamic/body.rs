@@ -242,10 +242,10 @@ mod tests {
     #[test]
     fn a_plan_takes_its_length_its_turns_and_its_waits() {
         let mut pose = Pose { at: [0.0; 2], between: [0; 2], heading: [0.0; 2], turn: None };
-        let mut told = Vec::new();
-        let end = pose.follow(&plan(), &mut Done::default(), &BODY, [10.0, 99.0], &mut |stretch| told.push(stretch));
+        let mut stretches = Vec::new();
+        let end = pose.follow(&plan(), &mut Done::default(), &BODY, [10.0, 99.0], &mut |stretch| stretches.push(stretch));
         assert_eq!(end, 15.0);
-        let deeds: Vec<_> = told.iter().map(|s| (s.deed, s.from, s.until, s.step)).collect();
+        let deeds: Vec<_> = stretches.iter().map(|s| (s.deed, s.from, s.until, s.step)).collect();
         assert_eq!(
             deeds,
             [

@@ -58,7 +58,7 @@ impl Journey {
             (Some(conflict), None) if conflict.time - self.now > ACT * self.ground.body.look_ahead => {}
             (Some(_), None) if !self.may_search() => {}
             (Some(conflict), None) => {
-                // Who is on the run looks for the best way out all the time: it is told once.
+                // A robot that gives way looks for the best way out all the time: that is one event.
                 if self.cornered.is_none() && !self.evading {
                     self.foresee(conflict);
                 }

@@ -134,8 +134,8 @@ fn obstacle(dynamic: &Dynamic, item: Item, supposed: Option<&str>) -> Option<Ins
         ),
     };
     let title = message!("drive-obstacle", "Obstacle {i}", i = item.index + 1);
-    let mut told = Inspection::new(item, title, if seen { "seen" } else { "unseen" }, summary);
-    told.values = vec![
+    let mut inspection = Inspection::new(item, title, if seen { "seen" } else { "unseen" }, summary);
+    inspection.values = vec![
         label!("drive-until-nearest", "t", "t^*", "until it is nearest, seconds").is(time),
         label!("drive-rims-then", "d", "d^*", "distance of the rims then").is(least),
         label!("drive-rims-now", "now", "d", "distance of the rims now").is(apart_now),
@@ -149,13 +149,13 @@ fn obstacle(dynamic: &Dynamic, item: Item, supposed: Option<&str>) -> Option<Ins
         label!("drive-obstacle-radius", "radius", "r", "its radius").is(disc.radius),
     ];
     if closing != [0.0; 2] {
-        told.formulas = vec!["approach"];
+        inspection.formulas = vec!["approach"];
     }
-    told.suppositions = suppositions;
+    inspection.suppositions = suppositions;
     let after = |from: [f64; 2], velocity: [f64; 2], time: f64| [0, 1].map(|axis| from[axis] + time * velocity[axis]);
     let (robot, it) = (after(at, going, time), after(leg.at, leg.velocity, time));
     let segments = |layer: LayerKey, vertices: Vec<[f64; 2]>| Mark::plane(layer, Shape::Segments, vertices);
-    told.marks = if supposed.is_some() {
+    inspection.marks = if supposed.is_some() {
         vec![segments(layers::JUMP.key, vec![robot, it]), Mark::plane(layers::AFTER.key, Shape::Points, vec![it])]
     } else {
         vec![
@@ -165,15 +165,15 @@ fn obstacle(dynamic: &Dynamic, item: Item, supposed: Option<&str>) -> Option<Ins
             Mark::plane(layers::AFTER.key, Shape::Points, vec![leg.at]),
         ]
     };
-    Some(told)
+    Some(inspection)
 }
 
 /// What happened at a place, and why.
 fn event(journey: &Journey, item: Item) -> Option<Inspection> {
     let event = journey.events.get(item.index)?;
     let title = message!("drive-event", "{what}, {time:.1} s", what = title_of(event.kind)?, time = event.time);
-    let mut told = Inspection::new(item, title, event.kind, event.reason.clone());
-    told.values = vec![label!("drive-when", "t", "t", "when, seconds").is(event.time)];
-    told.marks = vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![event.place])];
-    Some(told)
+    let mut inspection = Inspection::new(item, title, event.kind, event.reason.clone());
+    inspection.values = vec![label!("drive-when", "t", "t", "when, seconds").is(event.time)];
+    inspection.marks = vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![event.place])];
+    Some(inspection)
 }

@@ -268,7 +268,7 @@ impl Journey {
         }
     }
 
-    /// How near the obstacles really come, seen or not. Each time that one touches is told once, at the moment when it
+    /// How near the obstacles really come, seen or not. Each time that one touches is an event, at the moment when it
     /// begins, however long a period is.
     fn watch(&mut self, stretch: &Stretch) {
         let ground = Arc::clone(&self.ground);

@@ -58,9 +58,9 @@ struct Ants {
 
 impl Ants {
     /// Without the formulas of other colonies, which are not among this planner's.
-    fn of_this_entry(&self, mut told: Inspection) -> Inspection {
-        told.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
-        told
+    fn of_this_entry(&self, mut inspection: Inspection) -> Inspection {
+        inspection.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
+        inspection
     }
 }
 
@@ -122,12 +122,12 @@ impl Route for Ants {
         if ![layers::PHEROMONE.key, layers::ANTS.key].contains(&item.layer) {
             return None;
         }
-        let mut told = self.colony.inspect(item)?;
+        let mut inspection = self.colony.inspect(item)?;
         if item.layer == layers::ANTS.key {
             // A step of the drive is none of the colony.
-            told.suppositions.clear();
+            inspection.suppositions.clear();
         }
-        Some(self.of_this_entry(told))
+        Some(self.of_this_entry(inspection))
     }
 
     fn suppose(&self, item: Item, supposition: &str) -> Option<Inspection> {

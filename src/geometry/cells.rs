@@ -197,7 +197,7 @@ impl Cells {
     }
 
     /// Column and row as people count them: from 1, the top row first.
-    pub fn told(&self, cell: usize) -> [usize; 2] {
+    pub fn counted_place(&self, cell: usize) -> [usize; 2] {
         let [column, row] = self.place(cell);
         [column + 1, if self.down { row + 1 } else { self.rows - row }]
     }

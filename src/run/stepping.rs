@@ -52,7 +52,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Memory for keyframes unless told otherwise, in bytes.
+    /// Memory for keyframes if nothing else is asked for, in bytes.
     pub const KEYFRAME_BUDGET: usize = 64 << 20;
 
     /// Takes up to `steps` steps, the first of which completes one that has begun, its subtasks included; stops where the planner does.
@@ -262,14 +262,14 @@ impl Run {
     /// Why an item did what it did in the step that led here, or, of what came about once, in the step that made it.
     pub fn inspect(&mut self, item: Item) -> Option<Inspection> {
         let explain = self.at.planner.facets().explain?;
-        if let Some(told) = explain.inspect(item) {
-            return Some(told);
+        if let Some(inspection) = explain.inspect(item) {
+            return Some(inspection);
         }
         let created = explain.created_at(item).unwrap_or(self.iteration());
         let before = self.state_at(created.checked_sub(1)?);
-        let told = before.planner.facets().explain.and_then(|explain| explain.explain_next(item));
+        let inspection = before.planner.facets().explain.and_then(|explain| explain.explain_next(item));
         self.before = Some(before);
-        told
+        inspection
     }
 
     /// What an item would have done in the step that [`Run::inspect`] explains if one thing had been otherwise; `draw` numbers the
@@ -278,26 +278,26 @@ impl Run {
     /// # Errors
     /// [`Error::Refused`] for what is not among the explanation's `suppositions`.
     pub fn suppose(&mut self, item: Item, supposition: &str, draw: u64) -> Result<Option<Inspection>, Error> {
-        let Some(told) = self.inspect(item) else { return Ok(None) };
-        let known: Vec<_> = told.suppositions.iter().map(|label| label.name).collect();
+        let Some(inspection) = self.inspect(item) else { return Ok(None) };
+        let known: Vec<_> = inspection.suppositions.iter().map(|label| label.name).collect();
         if !known.contains(&supposition) {
             return Err(Error::refused("supposition", supposition, one_of(&known)));
         }
         let explain = self.at.planner.facets().explain;
-        let mut told = explain.and_then(|explain| explain.suppose_now(item, supposition));
-        if told.is_none() {
+        let mut inspection = explain.and_then(|explain| explain.suppose_now(item, supposition));
+        if inspection.is_none() {
             let made = explain.and_then(|explain| explain.created_at(item)).unwrap_or(self.iteration());
             let before = self.state_at(made.saturating_sub(1));
             // From the end, where no planner takes its own.
             let others = Stream::new(self.seed, u64::MAX - draw);
-            told = before.planner.facets().explain.and_then(|explain| explain.suppose(item, supposition, &others));
+            inspection = before.planner.facets().explain.and_then(|explain| explain.suppose(item, supposition, &others));
             self.before = Some(before);
         }
-        if let Some(told) = &mut told {
-            told.marks.retain(|mark| [layers::AFTER, layers::VELOCITY, layers::JUMP].iter().any(|layer| layer.key == mark.layer));
-            told.marks.iter_mut().for_each(|mark| mark.layer = layers::SUPPOSED.key);
+        if let Some(inspection) = &mut inspection {
+            inspection.marks.retain(|mark| [layers::AFTER, layers::VELOCITY, layers::JUMP].iter().any(|layer| layer.key == mark.layer));
+            inspection.marks.iter_mut().for_each(|mark| mark.layer = layers::SUPPOSED.key);
         }
-        Ok(told)
+        Ok(inspection)
     }
 
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.

@@ -35,7 +35,7 @@ impl Search {
             return None;
         }
         let unreached = message!("search-unreached", "The cell has not been reached yet.");
-        let mut told = Inspection {
+        let mut inspection = Inspection {
             values: self.ahead_of(cell),
             formulas: self.heuristic().into_iter().collect(),
             columns: COLUMNS.to_vec(),
@@ -43,33 +43,33 @@ impl Search {
             ..Inspection::new(item, words::cell(cells, cell), "unreached", unreached)
         };
         if let Some(g) = self.reached(cell) {
-            self.tell_way(cell, g, &mut told);
+            self.describe_way(cell, g, &mut inspection);
         }
         if self.ahead(cell) > 0.0 {
-            told.marks.insert(0, Mark::plane(layers::TO_GOAL.key, Shape::Polyline, self.guessed_way(cell)));
+            inspection.marks.insert(0, Mark::plane(layers::TO_GOAL.key, Shape::Polyline, self.guessed_way(cell)));
         }
         if self.expanded > 0 && cells.len() <= MOST_CELLS {
-            told.suppositions = if self.guesses() { vec![UNGUIDED, DOUBLED] } else { vec![GUIDED] };
+            inspection.suppositions = if self.guesses() { vec![UNGUIDED, DOUBLED] } else { vec![GUIDED] };
         }
         for d in (0..8).filter(|d| cells.moves(cell) >> d & 1 != 0) {
             let next = cells.next(cell, d);
             if let Some(g) = self.reached(next) {
                 let h = self.ahead(next);
-                told.labels.push(words::compass(cells, d));
-                told.rows.push(vec![self.task.length(g), h, self.task.length(g) + self.task.guess.weight * h]);
+                inspection.labels.push(words::compass(cells, d));
+                inspection.rows.push(vec![self.task.length(g), h, self.task.length(g) + self.task.guess.weight * h]);
             }
         }
-        Some(told)
+        Some(inspection)
     }
 
     /// Adds what is known of the way to a cell that was reached.
-    fn tell_way(&self, cell: usize, g: f64, told: &mut Inspection) {
+    fn describe_way(&self, cell: usize, g: f64, inspection: &mut Inspection) {
         let task = &self.task;
         let (g, h) = (task.length(g), self.ahead(cell));
         let parent = self.parent(cell);
         let closed = self.is_closed(cell);
-        told.event = if closed { "settled" } else { "frontier" };
-        told.summary = match parent.map(|parent| task.cells.told(parent)) {
+        inspection.event = if closed { "settled" } else { "frontier" };
+        inspection.summary = match parent.map(|parent| task.cells.counted_place(parent)) {
             None => message!("search-start", "The way begins here."),
             Some([column, row]) if closed => {
                 message!("search-settled", "The cell is settled, as the child of column {column}, row {row}.", column, row)
@@ -78,26 +78,26 @@ impl Search {
                 message!("search-frontier", "The cell is on the frontier, so far as the child of column {column}, row {row}.", column, row)
             }
         };
-        told.values.extend([
+        inspection.values.extend([
             label!("search-from-start", "g", "g", "way from the start").is(g),
             label!("search-together", "f", "f", "together, as the queue is ordered").is(g + task.guess.weight * h),
         ]);
-        told.formulas.insert(0, "f");
+        inspection.formulas.insert(0, "f");
         if let Some(parent) = parent {
             let step = task.length(task.between(parent, cell));
-            told.values.extend([
+            inspection.values.extend([
                 label!("search-parent-from-start", "g_parent", "g(p)", "the parent’s way from the start")
                     .is(self.reached(parent).map_or(0.0, |g| task.length(g))),
                 label!("search-from-parent", "c", "c", "from the parent to the cell").is(step),
             ]);
-            told.formulas.insert(1, "g");
+            inspection.formulas.insert(1, "g");
             let mut vertices: Vec<_> = self.way(cell).into_iter().map(|cell| task.cells.centre(cell)).collect();
             if vertices[0] != task.endpoints.ends[0] {
                 vertices.insert(0, task.endpoints.ends[0]);
             }
             let step = vertices[vertices.len() - 2..].to_vec();
-            told.marks.insert(0, Mark::plane(layers::STEP.key, Shape::Segments, step));
-            told.marks.insert(0, Mark::plane(layers::WAY.key, Shape::Polyline, vertices));
+            inspection.marks.insert(0, Mark::plane(layers::STEP.key, Shape::Segments, step));
+            inspection.marks.insert(0, Mark::plane(layers::WAY.key, Shape::Polyline, vertices));
         }
     }
 

@@ -44,7 +44,7 @@ pub(super) const LOWEST: Reading = Reading::new(
 );
 pub(super) const EXPANDED: Reading = Reading::new("expanded", "n_c", "Settled", Group::Count, "Cells settled so far.");
 pub(super) const FRONTIER: Reading = Reading::new("frontier", "n_o", "Frontier", Group::Count, "Cells reached and not settled.");
-pub(super) const FOUND_AFTER: Reading = CONVERGED.told("k^*", "Found after", "The step in which the path was found.");
+pub(super) const FOUND_AFTER: Reading = CONVERGED.described("k^*", "Found after", "The step in which the path was found.");
 
 /// What every search tells.
 pub(super) const READINGS: &[Reading] =

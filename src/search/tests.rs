@@ -152,8 +152,8 @@ fn g_h_and_f_are_those_computed_by_hand() {
     let scene = small(&[".#.", "...", "..."], [1.0, 1.0], [5.0, 1.0]);
     let mut run = run("a-star", &scene, &[("expand", 1.0)]);
     let value = |run: &mut Run, cell: usize, name: &str| {
-        let told = run.inspect(Item { layer: layers::CLOSED.key, index: cell }).unwrap();
-        (told.event, told.values.iter().find(|v| v.label.name == name).map(|v| (v.value * 1e9).round() / 1e9))
+        let inspection = run.inspect(Item { layer: layers::CLOSED.key, index: cell }).unwrap();
+        (inspection.event, inspection.values.iter().find(|v| v.label.name == name).map(|v| (v.value * 1e9).round() / 1e9))
     };
     let root = std::f64::consts::SQRT_2;
     let digits = |v: f64| Some((v * 1e9).round() / 1e9);
@@ -173,8 +173,8 @@ fn g_h_and_f_are_those_computed_by_hand() {
     assert_eq!(run.outcome().cost, Some(8.0));
     assert_eq!(run.inspect(Item { layer: layers::CLOSED.key, index: 1 }), None, "it is blocked");
     assert_eq!(run.inspect(Item { layer: layers::CLOSED.key, index: 9 }), None);
-    let told = run.inspect(Item { layer: layers::CLOSED.key, index: 2 }).unwrap();
-    let way = told.marks.iter().find(|mark| mark.layer == layers::WAY.key).unwrap();
+    let inspection = run.inspect(Item { layer: layers::CLOSED.key, index: 2 }).unwrap();
+    let way = inspection.marks.iter().find(|mark| mark.layer == layers::WAY.key).unwrap();
     assert_eq!(way.vertices, [[1.0, 1.0, 0.0], [1.0, 3.0, 0.0], [3.0, 3.0, 0.0], [5.0, 3.0, 0.0], [5.0, 1.0, 0.0]]);
 }
 
@@ -273,17 +273,19 @@ fn every_iteration_comes_back_and_every_cell_explains_itself() {
         run.seek(hashes.len() as u64 / 2);
         let entry = run.entry();
         for index in 0..900 {
-            let Some(told) = run.inspect(Item { layer: layers::CLOSED.key, index }) else {
+            let Some(inspection) = run.inspect(Item { layer: layers::CLOSED.key, index }) else {
                 assert!(!scene.get::<GridScene>().unwrap().cells().is_free(index));
                 continue;
             };
-            assert!(told.rows.len() == told.labels.len() && told.rows.iter().all(|row| row.len() == told.columns.len()));
-            assert!(told.values.iter().all(|v| v.value.is_finite()));
-            for formula in &told.formulas {
+            assert!(
+                inspection.rows.len() == inspection.labels.len() && inspection.rows.iter().all(|row| row.len() == inspection.columns.len())
+            );
+            assert!(inspection.values.iter().all(|v| v.value.is_finite()));
+            for formula in &inspection.formulas {
                 let formula = entry.formulas.iter().find(|f| f.name == *formula).unwrap();
                 let parts: Vec<_> = formula.live.split('@').collect();
                 let mut numbers = parts.chunks(2).filter_map(|pair| pair.get(1));
-                assert!(numbers.all(|name| told.values.iter().any(|v| v.label.name == *name)), "{name}: {}", formula.name);
+                assert!(numbers.all(|name| inspection.values.iter().any(|v| v.label.name == *name)), "{name}: {}", formula.name);
             }
         }
     }
@@ -297,18 +299,19 @@ fn a_search_without_its_heuristic_is_the_one_that_never_had_any() {
     guided.step(120);
     even.step(120);
     let item = |index: usize| Item { layer: layers::CLOSED.key, index };
-    let points = |told: &Inspection, shape: Shape| told.marks.iter().find(|mark| mark.shape == shape).map(|mark| mark.vertices.clone());
+    let points =
+        |inspection: &Inspection, shape: Shape| inspection.marks.iter().find(|mark| mark.shape == shape).map(|mark| mark.vertices.clone());
     let mut events = std::collections::BTreeMap::new();
     for index in 0..900 {
         for supposition in ["unguided", "guided"] {
             let [run, other] = if supposition == "unguided" { [&mut guided, &mut even] } else { [&mut even, &mut guided] };
             let Some(theirs) = other.inspect(item(index)) else { continue };
-            let told = run.suppose(item(index), supposition, 0).unwrap().unwrap();
-            assert_eq!(told.event, theirs.event, "cell {index}, {supposition}");
-            *events.entry((supposition, told.event)).or_insert(0) += 1;
-            if told.event != "unreached" {
+            let inspection = run.suppose(item(index), supposition, 0).unwrap().unwrap();
+            assert_eq!(inspection.event, theirs.event, "cell {index}, {supposition}");
+            *events.entry((supposition, inspection.event)).or_insert(0) += 1;
+            if inspection.event != "unreached" {
                 let way = theirs.marks.iter().find(|mark| mark.layer == layers::WAY.key).map(|mark| mark.vertices.clone());
-                assert!(way.is_none() || points(&told, Shape::Polyline) == way, "cell {index}, {supposition}");
+                assert!(way.is_none() || points(&inspection, Shape::Polyline) == way, "cell {index}, {supposition}");
             }
         }
     }

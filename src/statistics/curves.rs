@@ -221,14 +221,14 @@ mod tests {
             let error = bands(groups, ends).unwrap_err();
             (error.field().to_owned(), error.value().to_owned(), error.allowed().into_owned())
         };
-        let told = |field: &str, value: &str, allowed: &str| (field.to_owned(), value.to_owned(), allowed.to_owned());
-        assert_eq!(refused(&[vec![good()], vec![good()]], &[6.0]), told("ends", "a list of 1", "a list of 2"));
-        assert_eq!(refused(&[vec![good()]], &[f64::NAN]), told("ends[0]", "NaN", "a finite number"));
+        let refusal = |field: &str, value: &str, allowed: &str| (field.to_owned(), value.to_owned(), allowed.to_owned());
+        assert_eq!(refused(&[vec![good()], vec![good()]], &[6.0]), refusal("ends", "a list of 1", "a list of 2"));
+        assert_eq!(refused(&[vec![good()]], &[f64::NAN]), refusal("ends[0]", "NaN", "a finite number"));
         let short = curve(&[1.0, 4.0], &[10.0]);
-        assert_eq!(refused(&[vec![], vec![good(), short]], &[6.0, 6.0]), told("groups[1][1].values", "a list of 1", "a list of 2"));
+        assert_eq!(refused(&[vec![], vec![good(), short]], &[6.0, 6.0]), refusal("groups[1][1].values", "a list of 1", "a list of 2"));
         let back = curve(&[1.0, 4.0, 4.0, 3.0], &[10.0, 5.0, 4.0, 3.0]);
         let before = "no smaller than the number before it";
-        assert_eq!(refused(&[vec![good(), back]], &[6.0]), told("groups[0][1].evaluations[3]", "3", before));
+        assert_eq!(refused(&[vec![good(), back]], &[6.0]), refusal("groups[0][1].evaluations[3]", "3", before));
         assert_eq!(refused(&[vec![curve(&[1.0], &[f64::INFINITY])]], &[6.0]).0, "groups[0][0].values[0]");
     }
 

@@ -235,9 +235,9 @@ impl Explain for Bats {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         let i = item.index;
         let origin = message!("swarm-bat-begins", "Bat {i} begins here, drawn at random; its velocity is zero.", i);
-        let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
-        told.title = message!("swarm-bat", "Bat {i}", i);
-        Some(told)
+        let mut inspection = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
+        inspection.title = message!("swarm-bat", "Bat {i}", i);
+        Some(inspection)
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {

@@ -241,9 +241,9 @@ impl Explain for Nests {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         let i = item.index;
         let origin = message!("swarm-nest-begins", "Nest {i} begins here, drawn at random.", i);
-        let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
-        told.title = message!("swarm-nest", "Nest {i}", i);
-        Some(told)
+        let mut inspection = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
+        inspection.title = message!("swarm-nest", "Nest {i}", i);
+        Some(inspection)
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
@@ -363,25 +363,25 @@ impl Nests {
             (true, false) => "flight",
             (false, false) => "kept",
         };
-        let mut told = sheet(meaning, item, event, flight_led.then(walk_led), now.dimension);
-        told.title = message!("swarm-nest", "Nest {i}", i);
-        told.columns = COLUMNS.to_vec();
+        let mut inspection = sheet(meaning, item, event, flight_led.then(walk_led), now.dimension);
+        inspection.title = message!("swarm-nest", "Nest {i}", i);
+        inspection.columns = COLUMNS.to_vec();
         let rows = flight.iter().zip(walk).zip(x);
-        told.rows = rows.map(|((&(draw, e, to), &(h, _, end)), &x)| vec![x, draw.s, e, to, f64::from(u8::from(h)), end]).collect();
-        told.suppositions = vec![OTHER_NUMBERS];
-        told.formulas = vec![SIGMA.name, STEP.name, FLY.name, ABANDON.name];
+        inspection.rows = rows.map(|((&(draw, e, to), &(h, _, end)), &x)| vec![x, draw.s, e, to, f64::from(u8::from(h)), end]).collect();
+        inspection.suppositions = vec![OTHER_NUMBERS];
+        inspection.formulas = vec![SIGMA.name, STEP.name, FLY.name, ABANDON.name];
         let (draw, epsilon, to) = flight[0];
-        quantities(&mut told, &FLIGHT, &[x[0], now.g[0], self.levy.sigma, draw.u, draw.v, draw.s, epsilon, to]);
+        quantities(&mut inspection, &FLIGHT, &[x[0], now.g[0], self.levy.sigma, draw.u, draw.v, draw.s, epsilon, to]);
         let (changes, [x_j, x_k], end) = walk[0];
-        quantities(&mut told, &WALK, &[between[0], *r, f64::from(u8::from(changes)), x_j, x_k, end]);
-        quantities(&mut told, &COSTS, &[now.cost[i], costs[0], costs[1], next.cost[i]]);
-        told.marks = vec![
+        quantities(&mut inspection, &WALK, &[between[0], *r, f64::from(u8::from(changes)), x_j, x_k, end]);
+        quantities(&mut inspection, &COSTS, &[now.cost[i], costs[0], costs[1], next.cost[i]]);
+        inspection.marks = vec![
             mark(meaning, layers::BEFORE.key, x),
             arrows(meaning, layers::JUMP.key, x, &candidate),
             arrows(meaning, layers::STEP.key, between, &rebuilt),
             mark(meaning, layers::AFTER.key, &next.x[row]),
         ];
-        Some(told)
+        Some(inspection)
     }
 }
 

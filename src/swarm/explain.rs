@@ -197,16 +197,16 @@ struct Step<'a> {
 
 impl Step<'_> {
     fn inspection(&self, event: Event) -> Inspection {
-        let mut told = match event {
-            Event::Move => self.tell_move(),
-            Event::Hen => self.tell_hen(),
-            Event::Chick => self.tell_chick(),
+        let mut inspection = match event {
+            Event::Move => self.describe_move(),
+            Event::Hen => self.describe_hen(),
+            Event::Chick => self.describe_chick(),
         };
-        quantities(&mut told, &COSTS, &self.costs);
-        told
+        quantities(&mut inspection, &COSTS, &self.costs);
+        inspection
     }
 
-    fn tell_move(&self) -> Inspection {
+    fn describe_move(&self) -> Inspection {
         let Self { x, p, to, .. } = self;
         let terms = &self.record.terms;
         let i = self.item.index;
@@ -227,33 +227,33 @@ impl Step<'_> {
             swarm
         );
         let summary = mostly.then(parts);
-        let mut told = sheet(self.meaning, self.item, "move", summary, x.len());
-        told.columns = MOVE.to_vec();
-        told.rows = (0..x.len())
+        let mut inspection = sheet(self.meaning, self.item, "move", summary, x.len());
+        inspection.columns = MOVE.to_vec();
+        inspection.rows = (0..x.len())
             .map(|j| {
                 let Term { r, inertia, cognitive, social, step } = terms[j];
                 vec![x[j], inertia, r[0], cognitive, r[1], social, step, to[j], p[j]]
             })
             .collect();
-        told.formulas = vec!["velocity", "position"];
-        told.suppositions = SUPPOSITIONS.to_vec();
+        inspection.formulas = vec!["velocity", "position"];
+        inspection.suppositions = SUPPOSITIONS.to_vec();
         let Coefficients { w, c1, c2 } = self.coefficients;
         let Term { r: [r1, r2], inertia, cognitive, social, step } = terms[0];
         let values = [w, c1, c2, self.v[0], r1, r2, x[0], p[0], self.g[0], inertia, cognitive, social, step, to[0]];
-        quantities(&mut told, &MOVED, &values);
-        told.marks = vec![mark(self.meaning, layers::BEFORE.key, x), mark(self.meaning, layers::AFTER.key, to)];
+        quantities(&mut inspection, &MOVED, &values);
+        inspection.marks = vec![mark(self.meaning, layers::BEFORE.key, x), mark(self.meaning, layers::AFTER.key, to)];
         // Head to tail: each part begins where the one before it ends.
         let mut tip = x.to_vec();
         for (part, layer) in [layers::INERTIA.key, layers::COGNITIVE.key, layers::SOCIAL.key].into_iter().enumerate() {
             let tail = tip.clone();
             tip.iter_mut().zip(terms).for_each(|(tip, term)| *tip += [term.inertia, term.cognitive, term.social][part]);
-            told.marks.push(arrows(self.meaning, layer, &tail, &tip));
+            inspection.marks.push(arrows(self.meaning, layer, &tail, &tip));
         }
-        told.marks.push(arrows(self.meaning, layers::VELOCITY.key, x, to));
-        told
+        inspection.marks.push(arrows(self.meaning, layers::VELOCITY.key, x, to));
+        inspection
     }
 
-    fn tell_hen(&self) -> Inspection {
+    fn describe_hen(&self) -> Inspection {
         let Self { other, .. } = self;
         let (from, to, x_t) = (&*self.record.from, self.target(), &self.record.x_t);
         let stagnates = self.stagnates();
@@ -267,20 +267,20 @@ impl Step<'_> {
             None => Message::default(),
         };
         let summary = stagnates.then(jumps).then(fate);
-        let mut told = sheet(self.meaning, self.item, "hen", summary, from.len());
+        let mut inspection = sheet(self.meaning, self.item, "hen", summary, from.len());
         let (r, [s1, s2], [f_i, f_g, f_t]) = (&self.record.r, self.record.s, self.bests);
-        told.columns = HEN.to_vec();
-        told.rows = (0..from.len()).map(|j| vec![from[j], r[j][0], r[j][1], x_t[j], to[j]]).collect();
+        inspection.columns = HEN.to_vec();
+        inspection.rows = (0..from.len()).map(|j| vec![from[j], r[j][0], r[j][1], x_t[j], to[j]]).collect();
         let [formula_s2, formula_hen] = self.hen;
-        told.formulas = vec![formula_hen, "s1", formula_s2];
-        told.suppositions = vec![OTHER_NUMBERS];
+        inspection.formulas = vec![formula_hen, "s1", formula_s2];
+        inspection.suppositions = vec![OTHER_NUMBERS];
         let values = [s1, s2, *other as f64, f_i, f_g, f_t, from[0], r[0][0], r[0][1], self.g[0], x_t[0], to[0]];
-        quantities(&mut told, &HENNED, &values);
-        told.marks = self.jump();
-        told
+        quantities(&mut inspection, &HENNED, &values);
+        inspection.marks = self.jump();
+        inspection
     }
 
-    fn tell_chick(&self) -> Inspection {
+    fn describe_chick(&self) -> Inspection {
         let Self { to, g, .. } = self;
         let from = &*self.record.from;
         let i = self.item.index;
@@ -293,13 +293,13 @@ impl Step<'_> {
                 i
             )
         };
-        let mut told = sheet(self.meaning, self.item, "chick", summary, from.len());
-        told.columns = CHICK.to_vec();
-        told.rows = (0..from.len()).map(|j| vec![from[j], g[j], to[j]]).collect();
-        told.formulas = vec!["chick"];
-        quantities(&mut told, &CHICKED, &[self.f_l, from[0], g[0], to[0]]);
-        told.marks = self.jump();
-        told
+        let mut inspection = sheet(self.meaning, self.item, "chick", summary, from.len());
+        inspection.columns = CHICK.to_vec();
+        inspection.rows = (0..from.len()).map(|j| vec![from[j], g[j], to[j]]).collect();
+        inspection.formulas = vec!["chick"];
+        quantities(&mut inspection, &CHICKED, &[self.f_l, from[0], g[0], to[0]]);
+        inspection.marks = self.jump();
+        inspection
     }
 
     /// Where the jump led, whether it counted or not.
@@ -353,11 +353,11 @@ mod tests {
             run.step(1);
             let drawn = drawn_paths(&run);
             for (index, path) in drawn.iter().enumerate() {
-                let told = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
-                *seen.entry(told.event).or_insert(0) += 1;
-                let get = |row: &[f64], name| row[told.columns.iter().position(|c| c.name == name).unwrap()];
-                for row in &told.rows {
-                    if told.event == "move" {
+                let inspection = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
+                *seen.entry(inspection.event).or_insert(0) += 1;
+                let get = |row: &[f64], name| row[inspection.columns.iter().position(|c| c.name == name).unwrap()];
+                for row in &inspection.rows {
+                    if inspection.event == "move" {
                         let sum = get(row, "inertia") + get(row, "cognitive") + get(row, "social");
                         let v = get(row, "v");
                         assert!((sum - v).abs() < 1e-12 || (v.abs() < sum.abs() && v.signum() == sum.signum()), "{sum} {v}");
@@ -366,7 +366,7 @@ mod tests {
                         assert!((inside - reached).abs() < 1e-12 || !(0.0..=8.0).contains(&reached), "{reached} {inside}");
                     }
                 }
-                let after: Vec<_> = told.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices.clone();
+                let after: Vec<_> = inspection.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices.clone();
                 for (a, b) in after.iter().zip(path) {
                     assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
                 }
@@ -375,8 +375,8 @@ mod tests {
         assert!(seen["move"] > 0 && seen["hen"] > 0 && seen["chick"] > 0, "{seen:?}");
     }
 
-    /// How often each event was told in 80 iterations; `check` sees every inspection.
-    fn told(set: &[(&str, &str)], check: impl Fn(&crate::kernel::Inspection)) -> std::collections::BTreeMap<&'static str, usize> {
+    /// How often each event was explained in 80 iterations; `check` sees every inspection.
+    fn inspection(set: &[(&str, &str)], check: impl Fn(&crate::kernel::Inspection)) -> std::collections::BTreeMap<&'static str, usize> {
         let params = set.iter().map(|&(name, value)| (name, crate::Value::from(value))).collect();
         let scene = crate::shipped("wcpso-discs").unwrap();
         let mut run = Run::new(standard(), Setup { planner: "wcpso".into(), scene, params, seed: 4 }).unwrap();
@@ -384,11 +384,15 @@ mod tests {
         for _ in 0..80 {
             run.step(1);
             for (index, path) in drawn_paths(&run).iter().enumerate() {
-                let told = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
-                *seen.entry(told.event).or_insert(0) += 1;
-                let after = &told.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices;
-                assert!(after.iter().zip(path).all(|(a, b)| (a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5), "{}", told.summary);
-                check(&told);
+                let inspection = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
+                *seen.entry(inspection.event).or_insert(0) += 1;
+                let after = &inspection.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices;
+                assert!(
+                    after.iter().zip(path).all(|(a, b)| (a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5),
+                    "{}",
+                    inspection.summary
+                );
+                check(&inspection);
             }
         }
         seen
@@ -404,17 +408,17 @@ mod tests {
             let hash = run.hash();
             for index in (0..150).step_by(7) {
                 let item = Item { layer: layers::PARTICLES.key, index };
-                let told = run.inspect(item).unwrap();
+                let inspection = run.inspect(item).unwrap();
                 let mut suppose = |name: &str, draw| run.suppose(item, name, draw).unwrap().unwrap();
-                if told.event != "move" {
-                    assert_eq!(told.suppositions.len(), usize::from(told.event == "hen"), "{}", told.event);
-                    hens += usize::from(told.event == "hen" && suppose("random", 0).rows[0][1..3] != told.rows[0][1..3]);
+                if inspection.event != "move" {
+                    assert_eq!(inspection.suppositions.len(), usize::from(inspection.event == "hen"), "{}", inspection.event);
+                    hens += usize::from(inspection.event == "hen" && suppose("random", 0).rows[0][1..3] != inspection.rows[0][1..3]);
                     continue;
                 }
                 // The columns of `MOVE`: x, inertia, r1, own best, r2, swarm's best, v, x', p.
                 for (name, column) in [("inertia", 1), ("own", 3), ("best", 5)] {
                     let supposed = suppose(name, 0);
-                    for (was, is) in told.rows.iter().zip(&supposed.rows) {
+                    for (was, is) in inspection.rows.iter().zip(&supposed.rows) {
                         assert_eq!(is[column], 0.0, "{name}");
                         for other in [0, 1, 2, 3, 4, 5, 8].into_iter().filter(|&other| other != column) {
                             assert_eq!(is[other], was[other], "{name}, column {other}");
@@ -427,7 +431,7 @@ mod tests {
                     assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key) && supposed.marks.len() == 2);
                 }
                 let [one, other] = [0, 1].map(|draw| suppose("random", draw).rows[0][2]);
-                assert!(one != other && one != told.rows[0][2]);
+                assert!(one != other && one != inspection.rows[0][2]);
             }
             assert_eq!(run.hash(), hash);
         }
@@ -438,15 +442,21 @@ mod tests {
 
     #[test]
     fn one_pair_of_random_numbers_serves_a_whole_particle() {
-        let at = |row: &[f64], name: &str, told: &crate::kernel::Inspection| row[told.columns.iter().position(|c| c.name == name).unwrap()];
-        let seen = told(&[("random", "particle")], |told| {
-            let pair = match told.event {
+        let at = |row: &[f64], name: &str, inspection: &crate::kernel::Inspection| {
+            row[inspection.columns.iter().position(|c| c.name == name).unwrap()]
+        };
+        let seen = inspection(&[("random", "particle")], |inspection| {
+            let pair = match inspection.event {
                 "move" => ["r1", "r2"],
                 "hen" => ["r", "r_"],
                 _ => return,
             };
             for name in pair {
-                assert!(told.rows.iter().all(|row| at(row, name, told) == at(&told.rows[0], name, told)), "{}", told.summary);
+                assert!(
+                    inspection.rows.iter().all(|row| at(row, name, inspection) == at(&inspection.rows[0], name, inspection)),
+                    "{}",
+                    inspection.summary
+                );
             }
         });
         assert!(seen["move"] > 0 && seen["hen"] > 0, "{seen:?}");
@@ -454,12 +464,13 @@ mod tests {
 
     #[test]
     fn a_hen_that_must_be_better_never_raises_the_cost() {
-        let value = |told: &crate::kernel::Inspection, name: &str| told.values.iter().find(|v| v.label.name == name).unwrap().value;
+        let value =
+            |inspection: &crate::kernel::Inspection, name: &str| inspection.values.iter().find(|v| v.label.name == name).unwrap().value;
         let refused = std::cell::Cell::new(0);
-        let seen = told(&[("hen_keep", "better")], |told| {
-            if told.event == "hen" {
-                assert!(value(told, "cost") <= value(told, "cost_before"), "{}", told.summary);
-                refused.set(refused.get() + usize::from(told.summary.text().ends_with("so it stays.")));
+        let seen = inspection(&[("hen_keep", "better")], |inspection| {
+            if inspection.event == "hen" {
+                assert!(value(inspection, "cost") <= value(inspection, "cost_before"), "{}", inspection.summary);
+                refused.set(refused.get() + usize::from(inspection.summary.text().ends_with("so it stays.")));
             }
         });
         assert!(refused.get() > 0 && refused.get() < seen["hen"], "{seen:?}, {} refused", refused.get());
@@ -467,14 +478,15 @@ mod tests {
 
     #[test]
     fn a_hen_after_the_flight_jumps_from_where_it_led_towards_a_personal_best() {
-        let seen = told(&[("hen_timing", "after"), ("hen_partner", "best"), ("s2", "source")], |told| {
-            if told.event == "hen" {
+        let seen = inspection(&[("hen_timing", "after"), ("hen_partner", "best"), ("s2", "source")], |inspection| {
+            if inspection.event == "hen" {
                 assert!(
-                    told.marks.iter().any(|m| m.layer == layers::VELOCITY.key) && told.marks.iter().any(|m| m.layer == layers::JUMP.key)
+                    inspection.marks.iter().any(|m| m.layer == layers::VELOCITY.key)
+                        && inspection.marks.iter().any(|m| m.layer == layers::JUMP.key)
                 );
-                assert_eq!(told.formulas, ["hen_best", "s1", "s2_source"]);
-                let [s1, s2, g] = ["s1", "s2", "g"].map(|name| told.values.iter().find(|v| v.label.name == name).unwrap().value);
-                let [x, r, r_, x_t, to] = told.rows[0][..] else { panic!("five columns") };
+                assert_eq!(inspection.formulas, ["hen_best", "s1", "s2_source"]);
+                let [s1, s2, g] = ["s1", "s2", "g"].map(|name| inspection.values.iter().find(|v| v.label.name == name).unwrap().value);
+                let [x, r, r_, x_t, to] = inspection.rows[0][..] else { panic!("five columns") };
                 let expected = (x + s1 * r * (g - x) + s2 * r_ * (x_t - x)).clamp(0.0, 9.0);
                 assert!((to - expected).abs() < 1e-12, "{to} {expected}");
             }

@@ -170,8 +170,8 @@ mod tests {
             let outcome = run.outcome();
             assert!(outcome.feasible, "{scene}: with a waypoint for each corner nothing is lost");
             assert!(outcome.evaluations > 20, "{scene}: what the trees tested counts");
-            let told = run.inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
-            assert!(told.summary.text().contains("on the path of a tree of"), "{}", told.summary);
+            let inspection = run.inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
+            assert!(inspection.summary.text().contains("on the path of a tree of"), "{}", inspection.summary);
         }
     }
 
@@ -188,7 +188,7 @@ mod tests {
             pso.step(1);
         }
         assert_eq!(reading(&mut alone, "from_trees"), 0.0);
-        let told = run("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
-        assert!(told.summary.text().contains("drawn at random"), "{}", told.summary);
+        let inspection = run("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
+        assert!(inspection.summary.text().contains("drawn at random"), "{}", inspection.summary);
     }
 }

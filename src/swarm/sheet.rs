@@ -27,8 +27,8 @@ pub(super) type Supposed<'a> = Option<(&'a str, &'a Stream)>;
 /// Adds numbers to an explanation.
 // Explaining is rare: what its parts share is not copied into each.
 #[inline(never)]
-pub(super) fn quantities(told: &mut Inspection, labels: &[Label], values: &[f64]) {
-    told.values.extend(labels.iter().zip(values).map(|(label, &value)| label.is(value)));
+pub(super) fn quantities(inspection: &mut Inspection, labels: &[Label], values: &[f64]) {
+    inspection.values.extend(labels.iter().zip(values).map(|(label, &value)| label.is(value)));
 }
 
 /// The particle that an item means, if there is one.
@@ -42,12 +42,12 @@ pub(super) fn particle(population: &Population, item: Item) -> Option<usize> {
 pub(super) fn introduce(population: &Population, item: Item, origin: Message) -> Option<Inspection> {
     let i = particle(population, item).filter(|_| !population.is_under_way())?;
     let (meaning, x) = (&*population.objective, &population.x[population.row(i)]);
-    let mut told = sheet(meaning, item, "start", origin, x.len());
-    told.columns = START.to_vec();
-    told.rows = x.iter().map(|&x| vec![x]).collect();
-    quantities(&mut told, &COST, &[population.cost[i]]);
-    told.marks = vec![mark(meaning, layers::AFTER.key, x)];
-    Some(told)
+    let mut inspection = sheet(meaning, item, "start", origin, x.len());
+    inspection.columns = START.to_vec();
+    inspection.rows = x.iter().map(|&x| vec![x]).collect();
+    quantities(&mut inspection, &COST, &[population.cost[i]]);
+    inspection.marks = vec![mark(meaning, layers::AFTER.key, x)];
+    Some(inspection)
 }
 
 #[inline(never)]

@@ -72,14 +72,14 @@ fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer) -> Result<bool
     }
     for index in (0..pieces).step_by((pieces / PIECES).max(1)) {
         let item = Item { layer: key, index };
-        let Some(told) = run.inspect(item) else {
+        let Some(inspection) = run.inspect(item) else {
             // A field has values for all cells, and nothing to say of some.
             let empty = field.is_some_and(|first| frame.vertices()[VERTEX * (first + index) + 3] < 0.0);
             ensure(empty, EXPLAIN, || format!("the piece {index} of the layer `{name}` has no explanation"))?;
             continue;
         };
-        explanation(subject, run, &told)?;
-        for supposition in &told.suppositions {
+        explanation(subject, run, &inspection)?;
+        for supposition in &inspection.suppositions {
             let name = supposition.name;
             let supposed = |run: &mut Run, draw| run.suppose(item, name, draw).ok().flatten();
             let Some(first) = supposed(run, 0) else {
@@ -89,7 +89,7 @@ fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer) -> Result<bool
             ensure(supposed(run, 0) == Some(first), SUPPOSED, || format!("what is said about the supposition `{name}` changes"))?;
         }
         if index == 0 {
-            ensure(run.inspect(item) == Some(told), AGAIN, || format!("the explanation of a piece of `{name}` changes"))?;
+            ensure(run.inspect(item) == Some(inspection), AGAIN, || format!("the explanation of a piece of `{name}` changes"))?;
         }
     }
     let beyond = run.inspect(Item { layer: key, index: usize::MAX });
@@ -97,22 +97,23 @@ fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer) -> Result<bool
     Ok(pieces > 0)
 }
 
-fn explanation(subject: &Subject, run: &Run, told: &Inspection) -> Checked {
-    let layer = told.item.layer.0;
-    for mark in &told.marks {
+fn explanation(subject: &Subject, run: &Run, inspection: &Inspection) -> Checked {
+    let layer = inspection.item.layer.0;
+    for mark in &inspection.marks {
         ensure(subject.entry.layer(mark.layer).is_some(), MARKS, || format!("it marks `{}`, which the entry does not list", mark.layer.0))?;
     }
-    for name in &told.formulas {
+    for name in &inspection.formulas {
         let mut of_name = subject.entry.formulas.iter().filter(|formula| formula.name == *name).peekable();
         ensure(of_name.peek().is_some(), FORMULAS, || format!("an explanation of `{layer}` names the formula `{name}`"))?;
         let formula: Option<&Formula> = of_name.find(|formula| is_met(formula.when, run));
         let formula = formula.ok_or_else(|| Fault::new(FORMULAS, format!("the formula `{name}` is not computed with these parameters")))?;
         for value in placeholders(formula.live) {
-            let filled = told.values.iter().any(|quantity| quantity.label.name == value);
+            let filled = inspection.values.iter().any(|quantity| quantity.label.name == value);
             ensure(filled, FORMULAS, || format!("nothing fills @{value}@ in the formula `{name}`"))?;
         }
     }
-    let rows = told.rows.len() == told.labels.len() && told.rows.iter().all(|row| row.len() == told.columns.len());
-    let finite = told.rows.iter().flatten().chain(told.values.iter().map(|quantity| &quantity.value)).all(|value| value.is_finite());
+    let rows = inspection.rows.len() == inspection.labels.len() && inspection.rows.iter().all(|row| row.len() == inspection.columns.len());
+    let finite =
+        inspection.rows.iter().flatten().chain(inspection.values.iter().map(|quantity| &quantity.value)).all(|value| value.is_finite());
     ensure(rows && finite, TABLE, || format!("the numbers of an explanation of `{layer}` are not complete"))
 }

@@ -96,7 +96,7 @@ impl Suite {
         }
     }
 
-    /// The number of random runs of a check unless told otherwise: seconds in all.
+    /// The number of random runs of a check if nothing else is asked for: seconds in all.
     pub const RANDOM_RUNS: u32 = 4;
 
     /// Sets the number of runs of each check with random scenes, parameters and seeds.

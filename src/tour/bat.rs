@@ -348,8 +348,8 @@ impl Search for Bats {
         ]);
     }
 
-    fn explain(&self, i: usize, told: &mut Inspection) {
-        self.tell(i, told);
+    fn explain(&self, i: usize, inspection: &mut Inspection) {
+        self.tell(i, inspection);
     }
 }
 
@@ -400,7 +400,7 @@ const TRIES: Formula = Formula::of_item(
     "v = @tries@ \\in \\left[1, \\max(1, \\class{different}{@hamming@})\\right]",
 );
 
-/// What is told of each bat.
+/// What explanations show of each bat.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
     Member::new("loudness", "A", "Loudness", "The louder, the rarer it accepts a tour around the best.").full(1.0),

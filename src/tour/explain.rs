@@ -80,17 +80,17 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
         );
         ("joined", summary)
     };
-    let mut told = Inspection::new(item, title, event, summary);
+    let mut inspection = Inspection::new(item, title, event, summary);
     let values = [
         quantity(label!("tour-length", "length", "L", "length"), road.length),
         quantity(label!("tour-straight-line", "d", "d", "straight line"), straight),
         quantity(label!("tour-found-in-iteration", "converged", "t^*", "found in iteration"), road.converged),
     ];
-    told.values = values.into_iter().flatten().collect();
+    inspection.values = values.into_iter().flatten().collect();
     if !road.path.is_empty() {
-        told.marks.push(way(road.path.clone()));
+        inspection.marks.push(way(road.path.clone()));
     }
-    Some(told)
+    Some(inspection)
 }
 
 /// A stop, and its neighbours in the shortest tour.
@@ -120,7 +120,7 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
         }
         [None, None] => message!("tour-called-alone", "Number {k} of the shortest tour, after nothing and before nothing.", k),
     };
-    let mut told = Inspection::new(item, title, "called", summary);
+    let mut inspection = Inspection::new(item, title, "called", summary);
     // A fixed edge costs nothing.
     let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u32, other as u32).max(0.0));
     let values = [
@@ -128,8 +128,8 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
         quantity(label!("tour-from-before", "from", "d_-", "from the stop before"), leg(before)),
         quantity(label!("tour-to-after", "to", "d_+", "to the stop after"), leg(after)),
     ];
-    told.values = values.into_iter().flatten().collect();
-    Some(told)
+    inspection.values = values.into_iter().flatten().collect();
+    Some(inspection)
 }
 
 /// A tour beside the best: what differs.
@@ -146,22 +146,22 @@ pub(super) fn tour(problem: &Problem, tour: &Tour, best: &Tour, places: &[[f64; 
         own[fixed..].reverse();
     }
     let differs: Vec<bool> = own.iter().zip(&theirs).map(|(a, b)| a != b).collect();
-    let mut told = Inspection::new(item, title(item), "moved", Message::default());
-    told.values = [
+    let mut inspection = Inspection::new(item, title(item), "moved", Message::default());
+    inspection.values = [
         quantity(label!("tour-length", "length", "D", "length"), tour.length),
         quantity(label!("tour-different", "different", "HD", "places that differ"), different as f64),
     ]
     .into_iter()
     .flatten()
     .collect();
-    told.formulas = vec!["length"];
-    told.columns = ORDER.to_vec();
-    told.labels = (1..=own.len()).map(|place| Message::verbatim(place.to_string())).collect();
+    inspection.formulas = vec!["length"];
+    inspection.columns = ORDER.to_vec();
+    inspection.labels = (1..=own.len()).map(|place| Message::verbatim(place.to_string())).collect();
     let number = |stop: usize| (stop + 1) as f64;
-    told.rows = (0..own.len()).map(|k| vec![number(own[k]), number(theirs[k]), f64::from(u8::from(differs[k]))]).collect();
+    inspection.rows = (0..own.len()).map(|k| vec![number(own[k]), number(theirs[k]), f64::from(u8::from(differs[k]))]).collect();
     let vertices: Vec<_> = own.iter().zip(&differs).filter(|(_, differs)| **differs).map(|(&stop, _)| places[stop]).collect();
     if !vertices.is_empty() {
-        told.marks.push(Mark::plane(layers::DIFFERENT.key, Shape::Points, vertices));
+        inspection.marks.push(Mark::plane(layers::DIFFERENT.key, Shape::Points, vertices));
     }
-    told
+    inspection
 }

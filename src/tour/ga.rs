@@ -251,11 +251,11 @@ impl Search for Genetic {
         out.extend([one.tour.length, different as f64, f64::from(one.birth.origin as u8), one.gain()]);
     }
 
-    fn explain(&self, i: usize, told: &mut Inspection) {
+    fn explain(&self, i: usize, inspection: &mut Inspection) {
         let one = &self.now[i];
         let Birth { origin, parents: [a, b], lengths, cut, reversed } = one.birth;
-        told.event = WORDS[origin as usize];
-        told.summary = match origin {
+        inspection.event = WORDS[origin as usize];
+        inspection.summary = match origin {
             Origin::Start => message!("tour-ga-start", "It is one of the random tours of the first generation."),
             Origin::Kept => message!("tour-ga-kept", "It was tour {a} of the generation before; the shortest are kept.", a = a + 1),
             Origin::Copy | Origin::Mutation => {
@@ -273,7 +273,7 @@ impl Search for Genetic {
         if reversed.1 > 0 {
             let (from, to) = reversed;
             let mutation = message!("tour-ga-mutation", "Then a mutation reversed places {from} to {to}.", from, to);
-            told.summary = std::mem::take(&mut told.summary).then(mutation);
+            inspection.summary = std::mem::take(&mut inspection.summary).then(mutation);
         }
         if origin == Origin::Start {
             return;
@@ -283,8 +283,8 @@ impl Search for Genetic {
             quantity(label!("tour-second-parent-length", "second", "D_b", "length of the second parent"), lengths[1]),
             quantity(label!("tour-child-gain", "gain", "\\Delta D", "shorter than the shorter parent by"), one.gain()),
         ];
-        told.values.extend(values.into_iter().flatten());
-        told.formulas = vec!["gain", "length"];
+        inspection.values.extend(values.into_iter().flatten());
+        inspection.formulas = vec!["gain", "length"];
     }
 }
 
@@ -328,7 +328,7 @@ const GAIN: Formula = Formula::of_item(
 
 const WORDS: &[&str] = &["start", "kept", "copy", "crossover", "mutation", "both"];
 
-/// What is told of each tour.
+/// What explanations show of each tour.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
     MEMBER_DIFFERENT,

@@ -266,13 +266,13 @@ impl Search for Bats {
         out.extend([tour.length, *loudness, *pulse_rate, different as f64, f64::from(last_move.operator as u8), last_move.gain]);
     }
 
-    fn explain(&self, i: usize, told: &mut Inspection) {
+    fn explain(&self, i: usize, inspection: &mut Inspection) {
         let Bat { loudness, pulse_rate, last_move, .. } = &self.swarm[i];
         let LastMove { operator, frequency, distance, swaps, candidate, accepted, gain } = *last_move;
-        told.title = message!("tour-bat", "Bat {i}", i = i + 1);
-        told.event = WORDS[operator as usize];
+        inspection.title = message!("tour-bat", "Bat {i}", i = i + 1);
+        inspection.event = WORDS[operator as usize];
         let n = self.perturbations;
-        told.summary = match operator {
+        inspection.summary = match operator {
             Operator::None => random_start(),
             Operator::Flight => {
                 message!("tour-flight", "It flew towards the best tour: {swaps} of the {distance} swaps that lead there.", swaps, distance)
@@ -301,23 +301,23 @@ impl Search for Bats {
             }
             (_, false) => message!("tour-candidate-dropped", "It kept its own tour."),
         };
-        told.summary = std::mem::take(&mut told.summary).then(taken);
+        inspection.summary = std::mem::take(&mut inspection.summary).then(taken);
         let values = [
             quantity(label!("tour-candidate", "candidate", "D'", "tour that it tried"), candidate),
             quantity(label!("tour-candidate-gain", "gain", "\\Delta D", "gained by taking it"), gain),
             quantity(label!("tour-loudness", "loudness", "A", "loudness"), *loudness),
             quantity(label!("tour-pulse-rate", "pulse_rate", "r", "pulse rate"), *pulse_rate),
         ];
-        told.values.extend(values.into_iter().flatten());
-        told.formulas = vec!["loudness", "pulse", "length"];
+        inspection.values.extend(values.into_iter().flatten());
+        inspection.formulas = vec!["loudness", "pulse", "length"];
         if operator == Operator::Flight {
             let flight = [
                 quantity(label!("tour-frequency", "frequency", "f", "frequency"), frequency),
                 quantity(label!("tour-swaps-to-the-best", "distance", "|x^* \\ominus x|", "swaps to the best"), distance as f64),
                 quantity(label!("tour-swaps-made", "swaps", "|v|", "swaps that it made"), swaps as f64),
             ];
-            told.values.extend(flight.into_iter().flatten());
-            told.formulas.insert(0, "velocity");
+            inspection.values.extend(flight.into_iter().flatten());
+            inspection.formulas.insert(0, "velocity");
         }
     }
 }
@@ -377,7 +377,7 @@ const PULSE: Formula =
 
 const WORDS: &[&str] = &["start", "flight", "reversal", "insertion", "exchange"];
 
-/// What is told of each bat.
+/// What explanations show of each bat.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
     Member::new("loudness", "A", "Loudness", "The louder, the likelier it accepts a shorter tour.").full(1.0),

@@ -122,7 +122,7 @@ pub const BY_ROAD: Reading = Reading::new(
     "The shortest tour by these very roads, computed for up to 15 stops: what is above it is the order’s fault, what it is above the exact optimum is the roads’.",
 );
 /// When the shortest tour was found.
-pub const FOUND: Reading = CONVERGED.told("t^*", "Converged", "The search’s iteration in which the shortest tour was found.");
+pub const FOUND: Reading = CONVERGED.described("t^*", "Converged", "The search’s iteration in which the shortest tour was found.");
 /// How much the members' tours differ from the shortest.
 pub const DIFFERENT: Reading = Reading::new(
     "different",

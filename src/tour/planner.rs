@@ -183,14 +183,14 @@ impl Explain for Tours {
             (layer, _) if layer == layers::STOPS.key => explain::stop(self.best_tour(), &self.places, item),
             (layer, Some((problem, search))) if layer == layers::TOURS.key => {
                 let tour = search.member(item.index)?;
-                let mut told = explain::tour(problem, tour, search.best()?, &self.places, item);
-                told.marks.insert(0, explain::way(self.path(problem, tour)));
-                search.explain(item.index, &mut told);
+                let mut inspection = explain::tour(problem, tour, search.best()?, &self.places, item);
+                inspection.marks.insert(0, explain::way(self.path(problem, tour)));
+                search.explain(item.index, &mut inspection);
                 if self.iteration > self.road_steps() && search.clone().rng().is_some() {
-                    told.suppositions = search.suppositions(item.index);
-                    told.suppositions.push(OTHER_NUMBERS);
+                    inspection.suppositions = search.suppositions(item.index);
+                    inspection.suppositions.push(OTHER_NUMBERS);
                 }
-                Some(told)
+                Some(inspection)
             }
             (layer, None) if layer == layers::TOURS.key => Some(explain::no_tour(item)),
             _ => None,
@@ -206,9 +206,9 @@ impl Explain for Tours {
             search.suppose(item.index, supposition);
         }
         while next.go_on() == Progress::Partly {}
-        let mut told = next.inspect(item)?;
-        told.marks.iter_mut().filter(|mark| mark.layer == layers::WAY.key).for_each(|mark| mark.layer = layers::AFTER.key);
-        Some(told)
+        let mut inspection = next.inspect(item)?;
+        inspection.marks.iter_mut().filter(|mark| mark.layer == layers::WAY.key).for_each(|mark| mark.layer = layers::AFTER.key);
+        Some(inspection)
     }
 }
 

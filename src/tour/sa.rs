@@ -206,9 +206,9 @@ impl Search for Annealing {
         out.extend([self.now.length, different as f64, self.last_move.gain, self.last_move.highest]);
     }
 
-    fn explain(&self, _i: usize, told: &mut Inspection) {
+    fn explain(&self, _i: usize, inspection: &mut Inspection) {
         let LastMove { tried, shorter, longer, highest, gain } = self.last_move;
-        told.title = message!("tour-present", "Present tour");
+        inspection.title = message!("tour-present", "Present tour");
         let (event, summary) = match (tried, shorter + longer) {
             (0, _) => ("start", random_start()),
             (_, 0) => ("frozen", message!("tour-frozen", "None of {tried} moves was accepted.", tried)),
@@ -224,7 +224,7 @@ impl Search for Annealing {
                 ),
             ),
         };
-        (told.event, told.summary) = (event, summary);
+        (inspection.event, inspection.summary) = (event, summary);
         let values = [
             quantity(label!("tour-temperature", "temperature", "T", "temperature"), self.temperature),
             quantity(label!("tour-next-temperature", "next", "T'", "the next temperature"), self.next),
@@ -238,8 +238,8 @@ impl Search for Annealing {
             ),
             quantity(label!("tour-shorter-by", "gain", "\\Delta D", "shorter by"), gain),
         ];
-        told.values.extend(values.into_iter().flatten());
-        told.formulas = vec!["metropolis", "cooling", "length"];
+        inspection.values.extend(values.into_iter().flatten());
+        inspection.formulas = vec!["metropolis", "cooling", "length"];
     }
 }
 
@@ -279,7 +279,7 @@ const METROPOLIS: Formula = Formula::of_item(
 const GEOMETRIC: Formula =
     Formula::of_item("cooling", "Kirkpatrick et al. 1983", "Cooling", "T \\leftarrow \\alpha T", "T = @temperature@ \\to @next@");
 
-/// What is told of the tour.
+/// What explanations show of the tour.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
     MEMBER_DIFFERENT,
@@ -292,8 +292,11 @@ const TEMPERATURE: Reading =
     Reading::new("temperature", "T", "Temperature", Group::Schedule, "How hot it was in this iteration, as a length.");
 const ACCEPTED: Reading =
     Reading::new("accepted", "\\chi", "Accepted", Group::Measure, "How many of this iteration’s moves were accepted.");
-const SETTLED_PRESENT: Reading =
-    SETTLED.told(SETTLED.symbol, SETTLED.title, "The iteration since which the present tour has stayed within 1 % of the shortest so far.");
+const SETTLED_PRESENT: Reading = SETTLED.described(
+    SETTLED.symbol,
+    SETTLED.title,
+    "The iteration since which the present tour has stayed within 1 % of the shortest so far.",
+);
 
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[PRESENT, DIFFERENT, SETTLED_PRESENT, TEMPERATURE, ACCEPTED];

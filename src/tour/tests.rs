@@ -1,4 +1,4 @@
-//! The pipeline: roads, their distances, and what is told.
+//! The pipeline: roads, their distances, and what is explained.
 
 use std::sync::Arc;
 
@@ -51,8 +51,8 @@ fn members_enter_one_after_another_when_the_roads_stand() {
         let roads = run.stages()[0].end.unwrap();
         run.step(roads - 1);
         for layer in [layers::TOURS.key, layers::STOPS.key] {
-            let told = run.inspect(Item { layer, index: 1 }).unwrap();
-            assert_eq!((told.event, &*told.summary.text()), ("waiting", "There is no tour yet."));
+            let inspection = run.inspect(Item { layer, index: 1 }).unwrap();
+            assert_eq!((inspection.event, &*inspection.summary.text()), ("waiting", "There is no tour yet."));
         }
         let mut entered = 0;
         while with_parts_of(1, || run.part()) == Stepped::Partly {
@@ -166,12 +166,12 @@ fn check_members(run: &mut Run, round: TourEnds) {
     let scene = Arc::clone(run.scene());
     let n = scene.stops().len();
     for index in 0.. {
-        let Some(told) = run.inspect(Item { layer: layers::TOURS.key, index }) else {
+        let Some(inspection) = run.inspect(Item { layer: layers::TOURS.key, index }) else {
             break;
         };
-        let order: Vec<_> = told.rows.iter().map(|row| row[0] as usize - 1).collect();
+        let order: Vec<_> = inspection.rows.iter().map(|row| row[0] as usize - 1).collect();
         assert!(round.allows(&order, n), "{} {order:?}", run.entry().name);
-        let length = told.values.iter().find(|value| value.label.name == "length").unwrap().value;
+        let length = inspection.values.iter().find(|value| value.label.name == "length").unwrap().value;
         assert!((distances(&scene).length(&order, round.closes()) - length).abs() < 1e-9);
         assert!(length >= run.readings().get("best").unwrap());
     }
@@ -413,7 +413,7 @@ fn more_members_than_there_is_memory_for_are_refused() {
 /// One thing is otherwise, and the random numbers are the same: what it does not touch stays.
 #[test]
 fn one_thing_can_be_supposed_of_one_member_with_the_same_random_numbers() {
-    let of = |told: &Inspection, name: &str| told.values.iter().find(|value| value.label.name == name).map(|value| value.value);
+    let of = |inspection: &Inspection, name: &str| inspection.values.iter().find(|value| value.label.name == name).map(|value| value.value);
     let mut seen = std::collections::BTreeSet::new();
     for planner in ["tour-pso", "ga", "sa", "bat", "hybrid-bat"] {
         let population = [("population", "9")];
@@ -422,10 +422,10 @@ fn one_thing_can_be_supposed_of_one_member_with_the_same_random_numbers() {
             run.step(1);
             for index in 0..if planner == "sa" { 1 } else { 9 } {
                 let item = Item { layer: layers::TOURS.key, index };
-                let told = run.inspect(item).unwrap();
-                let mutated = ["mutation", "both"].contains(&told.event);
-                assert!(planner != "ga" || told.summary.text().contains("mutation reversed") == mutated, "{}", told.summary);
-                for supposition in told.suppositions.iter().map(|label| label.name).filter(|&name| name != "random") {
+                let inspection = run.inspect(item).unwrap();
+                let mutated = ["mutation", "both"].contains(&inspection.event);
+                assert!(planner != "ga" || inspection.summary.text().contains("mutation reversed") == mutated, "{}", inspection.summary);
+                for supposition in inspection.suppositions.iter().map(|label| label.name).filter(|&name| name != "random") {
                     let supposed = run.suppose(item, supposition, 0).unwrap().unwrap();
                     seen.insert((planner, supposition));
                     match (planner, supposition) {
@@ -434,12 +434,12 @@ fn one_thing_can_be_supposed_of_one_member_with_the_same_random_numbers() {
                             let k = ["inertia", "own", "best"].iter().position(|&name| name == supposition).unwrap();
                             assert_eq!(of(&supposed, names[k]), Some(0.0), "{supposition}");
                             // What is drawn before is the same; what is drawn after is drawn from the same stream.
-                            assert!((0..k).all(|j| of(&supposed, names[j]) == of(&told, names[j])), "{supposition}");
+                            assert!((0..k).all(|j| of(&supposed, names[j]) == of(&inspection, names[j])), "{supposition}");
                         }
                         ("ga", "crossover") => assert!(["copy", "mutation"].contains(&supposed.event), "{}", supposed.event),
-                        ("ga", _) => assert_eq!(of(&supposed, "second"), of(&told, "second"), "its parents are the same"),
+                        ("ga", _) => assert_eq!(of(&supposed, "second"), of(&inspection, "second"), "its parents are the same"),
                         ("sa", _) => assert_eq!(of(&supposed, "longer"), Some(0.0)),
-                        ("bat", _) => assert!(supposed.event == "2-opt" && of(&supposed, "tries") == of(&told, "tries")),
+                        ("bat", _) => assert!(supposed.event == "2-opt" && of(&supposed, "tries") == of(&inspection, "tries")),
                         _ => assert!(
                             supposed.event != "flight" && supposed.summary.text().contains("its own tour"),
                             "{}",
@@ -468,18 +468,18 @@ fn a_step_can_be_supposed_with_other_random_numbers_wherever_it_draws_some() {
             }
             let hash = run.hash();
             let item = Item { layer: layers::TOURS.key, index: 0 };
-            let Some(told) = run.inspect(item) else {
+            let Some(inspection) = run.inspect(item) else {
                 // It has no tours but its best.
                 continue 'planners;
             };
-            assert_eq!(!told.suppositions.is_empty(), draws, "{}", entry.name);
+            assert_eq!(!inspection.suppositions.is_empty(), draws, "{}", entry.name);
             if !draws {
                 assert!(run.suppose(item, "random", 0).is_err());
                 continue;
             }
             let supposed = run.suppose(item, "random", 0).unwrap().unwrap();
             assert!(supposed.marks.iter().all(|mark| mark.layer == layers::SUPPOSED.key) && supposed.marks.len() == 1);
-            others += usize::from(supposed.rows != told.rows);
+            others += usize::from(supposed.rows != inspection.rows);
             assert_eq!(run.hash(), hash, "{}", entry.name);
         }
         assert_eq!(others > 0, draws, "{}", entry.name);

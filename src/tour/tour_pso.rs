@@ -249,9 +249,9 @@ impl Search for Swarm {
         out.extend([tour.length, best.length, different as f64, velocity.len() as f64, last_move.gain]);
     }
 
-    fn explain(&self, i: usize, told: &mut Inspection) {
+    fn explain(&self, i: usize, inspection: &mut Inspection) {
         let Particle { best, velocity, last_move, .. } = &self.particles[i];
-        told.title = message!("tour-particle", "Particle {i}", i = i + 1);
+        inspection.title = message!("tour-particle", "Particle {i}", i = i + 1);
         let LastMove { kept, own, swarm, gain, record } = *last_move;
         let (event, summary) = if kept + own + swarm == 0 {
             ("rests", message!("tour-rests", "It made no swap: it begins, or nothing drew it anywhere."))
@@ -278,7 +278,7 @@ impl Search for Swarm {
             };
             (if record { "record" } else { "swaps" }, swaps.then(became))
         };
-        (told.event, told.summary) = (event, summary);
+        (inspection.event, inspection.summary) = (event, summary);
         let values = [
             quantity(label!("tour-own-best", "own_best", "D_p", "its own best"), best.length),
             quantity(label!("tour-velocity-swaps", "kept", "w v", "swaps of its velocity"), kept as f64),
@@ -286,8 +286,8 @@ impl Search for Swarm {
             quantity(label!("tour-swarm-swaps", "swarm", "g \\ominus x", "swaps towards the swarm’s"), swarm as f64),
             quantity(label!("tour-velocity", "velocity", "|v|", "velocity: swaps that do the same"), velocity.len() as f64),
         ];
-        told.values.extend(values.into_iter().flatten());
-        told.formulas = vec!["velocity", "position", "length"];
+        inspection.values.extend(values.into_iter().flatten());
+        inspection.formulas = vec!["velocity", "position", "length"];
     }
 }
 
@@ -329,7 +329,7 @@ const VELOCITY: Formula = Formula::of_item(
 const POSITION: Formula =
     Formula::of_item("position", "Wang et al. 2003", "Position: an order", "\\class{way}{x} \\leftarrow x \\oplus v", "|v| = @velocity@");
 
-/// What is told of each particle.
+/// What explanations show of each particle.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
     Member::new("own_best", "D_p", "Own best", "The length of the shortest tour that it had."),

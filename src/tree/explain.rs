@@ -164,43 +164,43 @@ impl<const N: usize> Seen<'_, N> {
     }
 
     /// How the newest node came about: the state is that after the step.
-    pub(super) fn tell_birth(&self, item: Item) -> Option<Inspection> {
-        self.explainer().tell_birth(item)
+    pub(super) fn describe_birth(&self, item: Item) -> Option<Inspection> {
+        self.explainer().describe_birth(item)
     }
 
     /// What would have grown instead of a node: the first of those from `index` on, if there is one.
-    pub(super) fn tell_supposed(&self, item: Item, index: usize) -> Inspection {
-        self.explainer().tell_supposed(item, index)
+    pub(super) fn describe_supposed(&self, item: Item, index: usize) -> Inspection {
+        self.explainer().describe_supposed(item, index)
     }
 }
 
 impl Explainer<'_> {
     fn explain(&self, item: Item) -> Option<Inspection> {
         match item.layer {
-            layer if layer == layers::SAMPLES.key => self.tell_sample(item),
+            layer if layer == layers::SAMPLES.key => self.describe_sample(item),
             layer if layer == layers::NODES.key && self.births.get(item.index)?.iteration == 0 => {
                 let birth = self.births[item.index];
-                let mut told = self.node(item)?;
-                told.event = "root";
-                told.summary = if birth.tree == 0 {
+                let mut inspection = self.node(item)?;
+                inspection.event = "root";
+                inspection.summary = if birth.tree == 0 {
                     message!("tree-root", "The tree begins here, at the start.")
                 } else {
                     message!("tree-root-of-goal", "The goal’s tree begins here.")
                 };
-                Some(told)
+                Some(inspection)
             }
             _ => None,
         }
     }
 
-    fn tell_birth(&self, item: Item) -> Option<Inspection> {
+    fn describe_birth(&self, item: Item) -> Option<Inspection> {
         let birth = *self.births.get(item.index).filter(|_| item.layer == layers::NODES.key)?;
         if u64::from(birth.iteration) != self.iteration {
             return None;
         }
         let last = self.last;
-        let mut told = self.node(item)?;
-        told.event = match last.source {
+        let mut inspection = self.node(item)?;
+        inspection.event = match last.source {
             Source::Guided(_) if last.fell_back => "random step",
             Source::Guided(_) => "guided",
             Source::Goal => "towards the goal",
@@ -208,33 +208,33 @@ impl Explainer<'_> {
             Source::Other => "towards the other tree",
             Source::Uniform => "random",
         };
-        told.summary = self.summary();
+        inspection.summary = self.summary();
         let from = self.nodes.place(usize::from(birth.tree), last.near);
-        let to = told.marks.iter().find(|mark| mark.layer == layers::AFTER.key).map(|mark| mark.vertices[0]);
-        told.marks.push(Mark {
+        let to = inspection.marks.iter().find(|mark| mark.layer == layers::AFTER.key).map(|mark| mark.vertices[0]);
+        inspection.marks.push(Mark {
             layer: layers::STEP.key,
             shape: Shape::Segments,
             vertices: to.into_iter().flat_map(|to| [from, to]).collect(),
         });
         if let Some(sample) = self.samples.iter().find(|sample| sample.outcome == SampleOutcome::Taken) {
-            self.tell_taken(sample, &mut told);
+            self.describe_taken(sample, &mut inspection);
         }
-        self.table(from, &mut told);
-        told.suppositions = vec![label!("tree-other-random-numbers", "random", "x_{\\text{rand}}", "with other random numbers")];
-        Some(told)
+        self.table(from, &mut inspection);
+        inspection.suppositions = vec![label!("tree-other-random-numbers", "random", "x_{\\text{rand}}", "with other random numbers")];
+        Some(inspection)
     }
 
-    fn tell_supposed(&self, item: Item, index: usize) -> Inspection {
-        let Some(mut told) = self.tell_birth(Item { index, ..item }) else {
+    fn describe_supposed(&self, item: Item, index: usize) -> Inspection {
+        let Some(mut inspection) = self.describe_birth(Item { index, ..item }) else {
             let title = message!("tree-node", "Node {i}", i = item.index + 1);
             return Inspection::new(item, title, "nothing", message!("tree-supposed-nothing", "Nothing would have grown."));
         };
-        for mark in &mut told.marks {
+        for mark in &mut inspection.marks {
             if mark.layer == layers::STEP.key {
                 mark.layer = layers::JUMP.key;
             }
         }
-        told
+        inspection
     }
 
     /// A node's name, numbers and way.
@@ -251,41 +251,41 @@ impl Explainer<'_> {
         Some(Inspection { values, marks, ..Inspection::new(item, title, "node", Message::default()) })
     }
 
-    fn tell_taken(&self, sample: &Drawn, told: &mut Inspection) {
-        told.values.extend([
+    fn describe_taken(&self, sample: &Drawn, inspection: &mut Inspection) {
+        inspection.values.extend([
             label!("tree-sample-distance", "far", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "from the node to the sample")
                 .is(sample.far),
             label!("tree-step-size", "step", "L", "step size").is(self.step),
         ]);
-        told.formulas.push("extend");
+        inspection.formulas.push("extend");
         if sample.angle.is_finite() {
-            told.values.extend([
+            inspection.values.extend([
                 label!("tree-goal-angle", "angle", "\\varphi", "angle with the goal’s direction").is(sample.angle),
                 label!("tree-share", "share", "p", "share of the roulette wheel").is(sample.share),
             ]);
             if self.last.source == Source::Guided(By::Distance) {
-                told.values.push(label!("tree-goal-distance", "to_goal", "d", "distance to the goal").is(sample.to_goal));
-                told.formulas.push("roulette-distance");
+                inspection.values.push(label!("tree-goal-distance", "to_goal", "d", "distance to the goal").is(sample.to_goal));
+                inspection.formulas.push("roulette-distance");
             } else {
-                told.formulas.extend(["angle", "roulette"]);
+                inspection.formulas.extend(["angle", "roulette"]);
             }
         }
     }
 
     /// The samples of the last extension, and where they are, from the node that was to grow.
-    fn table(&self, from: [f64; 3], told: &mut Inspection) {
+    fn table(&self, from: [f64; 3], inspection: &mut Inspection) {
         if let Source::Guided(by) = self.last.source {
-            told.columns = vec![if by == By::Angle { ANGLE } else { TO_GOAL }];
-            told.columns.extend(COLUMNS);
+            inspection.columns = vec![if by == By::Angle { ANGLE } else { TO_GOAL }];
+            inspection.columns.extend(COLUMNS);
             for (i, sample) in self.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
-                told.labels.push(sample.outcome.row(i + 1));
+                inspection.labels.push(sample.outcome.row(i + 1));
                 let key = if by == By::Angle { sample.angle.to_degrees() } else { sample.to_goal };
-                told.rows.push(vec![key, sample.share, sample.far]);
+                inspection.rows.push(vec![key, sample.share, sample.far]);
             }
         }
-        told.marks.push(Mark { layer: layers::BEFORE.key, shape: Shape::Points, vertices: vec![from] });
+        inspection.marks.push(Mark { layer: layers::BEFORE.key, shape: Shape::Points, vertices: vec![from] });
         if matches!(self.last.source, Source::Guided(_)) {
-            told.marks.push(Mark { layer: layers::TO_GOAL.key, shape: Shape::Segments, vertices: vec![from, self.goal] });
+            inspection.marks.push(Mark { layer: layers::TO_GOAL.key, shape: Shape::Segments, vertices: vec![from, self.goal] });
         }
         let lines = |fates: &dyn Fn(&Drawn) -> bool| -> Vec<[f64; 3]> {
             self.samples.iter().filter(|sample| fates(sample)).flat_map(|sample| [from, sample.place]).collect()
@@ -293,23 +293,23 @@ impl Explainer<'_> {
         let kept = lines(&|sample| !matches!(sample.outcome, SampleOutcome::NotKept | SampleOutcome::Taken));
         let chosen = lines(&|sample| sample.outcome == SampleOutcome::Taken);
         let all = self.samples.iter().map(|sample| sample.place).collect();
-        told.marks.push(Mark { layer: layers::SAMPLES.key, shape: Shape::Points, vertices: all });
-        told.marks.push(Mark { layer: layers::KEPT.key, shape: Shape::Segments, vertices: kept });
-        told.marks.push(Mark { layer: layers::CHOSEN.key, shape: Shape::Segments, vertices: chosen });
-        told.marks.retain(|mark| !mark.vertices.is_empty());
+        inspection.marks.push(Mark { layer: layers::SAMPLES.key, shape: Shape::Points, vertices: all });
+        inspection.marks.push(Mark { layer: layers::KEPT.key, shape: Shape::Segments, vertices: kept });
+        inspection.marks.push(Mark { layer: layers::CHOSEN.key, shape: Shape::Segments, vertices: chosen });
+        inspection.marks.retain(|mark| !mark.vertices.is_empty());
     }
 
-    fn tell_sample(&self, item: Item) -> Option<Inspection> {
+    fn describe_sample(&self, item: Item) -> Option<Inspection> {
         let last = self.last;
         let sample = self.samples.get(item.index)?;
         let title = message!("tree-sample", "Sample {i}", i = item.index + 1);
-        let mut told = Inspection {
+        let mut inspection = Inspection {
             marks: vec![Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![sample.place] }],
             ..Inspection::new(item, title, sample.outcome.name(), sample.outcome.sentence(last.source))
         };
-        self.tell_taken(sample, &mut told);
-        self.table(self.nodes.place(last.tree, last.near), &mut told);
-        Some(told)
+        self.describe_taken(sample, &mut inspection);
+        self.table(self.nodes.place(last.tree, last.near), &mut inspection);
+        Some(inspection)
     }
 
     /// The last extension in a sentence.

@@ -1,14 +1,14 @@
 //! What is made of a tree's path, [ARM-RRT](crate#papers) §3.2.2 and step 3: shortened, fitted by a polyline, smoothed. Each
 //! part can be left out, and none ever goes through an obstacle.
 
-use crate::{describe::Formula, kernel::State, params::Parameters};
+use crate::{arm::Posture, describe::Formula, kernel::State, params::Parameters};
 
 use super::{
     free::Free,
     hermite::smooth,
     parameters::{BLEND, POLYLINE, SHORTEN, SMOOTH, TOLERANCE},
     polyline::fitted,
-    space::{Carried, Space},
+    space::Space,
     vector::{between, distance, length},
 };
 
@@ -54,40 +54,40 @@ pub(super) struct Finished<const N: usize> {
     pub(super) path: Vec<[f64; N]>,
 }
 
-/// As many coordinates as a path may have, and as may be carried along it.
+/// As many coordinates as a path may have, with the angles of a posture.
 const MOST: usize = 12;
-/// As many numbers are carried.
-const CARRIED: usize = 6;
+/// As many angles has a posture.
+const JOINTS: usize = 6;
 /// What a radian of a posture counts as, in metres: so little that the length of a path is its tip's.
 const SCALE: f64 = 1e-6;
 
 /// Shortens, fits and smooths a path whose pieces are free. It is done with as many coordinates as there may be, so that its code is
 /// there once: those that are 0 change no bit of the others.
-pub(super) fn finish<const N: usize>(raw: &[[f64; N]], carried: &[Carried], how: &Finish, space: &dyn Space<N>) -> Finished<N> {
-    const { assert!(N + CARRIED <= MOST) };
+pub(super) fn finish<const N: usize>(raw: &[[f64; N]], postures: &[Posture], how: &Finish, space: &dyn Space<N>) -> Finished<N> {
+    const { assert!(N + JOINTS <= MOST) };
     let drop = |point: &[f64; MOST]| std::array::from_fn(|axis| point[axis]);
-    let carried_at = |point: &[f64; MOST]| -> Carried { std::array::from_fn(|joint| point[MOST - CARRIED + joint] / SCALE) };
+    let posture_of = |point: &[f64; MOST]| -> Posture { std::array::from_fn(|joint| point[MOST - JOINTS + joint] / SCALE) };
     let mut lifted = vec![[0.0; MOST]; raw.len()];
     for (place, point) in lifted.iter_mut().zip(raw) {
         place[..N].copy_from_slice(point);
     }
-    for (place, carried) in lifted.iter_mut().zip(carried) {
-        carried.iter().zip(&mut place[MOST - CARRIED..]).for_each(|(angle, to)| *to = angle * SCALE);
+    for (place, posture) in lifted.iter_mut().zip(postures) {
+        posture.iter().zip(&mut place[MOST - JOINTS..]).for_each(|(angle, to)| *to = angle * SCALE);
     }
     let is_free = |a: &[f64; MOST], b: &[f64; MOST]| space.is_free(&drop(a), &drop(b));
-    let gets = |a: &[f64; MOST], b: &[f64; MOST]| space.carry(&drop(a), &carried_at(a), &drop(b), Some(&carried_at(b))).is_some();
+    let reaches = |a: &[f64; MOST], b: &[f64; MOST]| space.posture_at(&drop(a), &posture_of(a), &drop(b), Some(&posture_of(b))).is_some();
     let Finished { short, path } =
-        if carried.is_empty() { finished(&lifted, how, &is_free) } else { carrying(&lifted, how, &is_free, &gets) };
+        if postures.is_empty() { finished(&lifted, how, &is_free) } else { finished_reachably(&lifted, how, &is_free, &reaches) };
     Finished { short: short.iter().map(drop).collect(), path: path.iter().map(drop).collect() }
 }
 
-/// The same where something is carried along. Mostly it gets along the path for which that was not tested piece by piece: a tenth of the
-/// time.
+/// The same where an arm has to get from each point to the next. Mostly it gets along the path for which that was not tested piece by
+/// piece: a tenth of the time.
 #[inline(never)]
-fn carrying(raw: &[[f64; MOST]], how: &Finish, free: Free<MOST>, gets: Free<MOST>) -> Finished<MOST> {
+fn finished_reachably(raw: &[[f64; MOST]], how: &Finish, free: Free<MOST>, reaches: Free<MOST>) -> Finished<MOST> {
     let made = finished(raw, how, free);
-    let holds = [&made.path, &made.short].iter().all(|path| path.windows(2).all(|w| gets(&w[0], &w[1])));
-    if holds { made } else { finished(raw, how, &|a, b| free(a, b) && gets(a, b)) }
+    let holds = [&made.path, &made.short].iter().all(|path| path.windows(2).all(|w| reaches(&w[0], &w[1])));
+    if holds { made } else { finished(raw, how, &|a, b| free(a, b) && reaches(a, b)) }
 }
 
 #[inline(never)]

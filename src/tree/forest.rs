@@ -1,12 +1,8 @@
 //! Trees of nodes: where each is, whose child, and how long the way to it is.
 
-use crate::kernel::State;
+use crate::{arm::Posture, kernel::State};
 
-use super::{
-    nearest::Nearest,
-    space::{Carried, Load},
-    vector::distance,
-};
+use super::{nearest::Nearest, space::Postures, vector::distance};
 
 /// No node.
 pub(super) const NONE: u32 = u32::MAX;
@@ -19,8 +15,8 @@ pub struct Tree<const N: usize> {
     pub(super) parents: Vec<u32>,
     /// The length of the way from the root.
     pub(super) costs: Vec<f64>,
-    /// What each node carries, where they carry anything.
-    pub(super) carried: Load,
+    /// An arm's posture at each node; empty where nodes have none.
+    pub(super) postures: Postures,
     #[state(skip)]
     index: Nearest<N>,
 }
@@ -28,7 +24,7 @@ pub struct Tree<const N: usize> {
 impl<const N: usize> Tree<N> {
     /// A tree without nodes.
     pub(super) fn new() -> Self {
-        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), carried: Load::default(), index: Nearest::new() }
+        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), postures: Postures::default(), index: Nearest::new() }
     }
 
     /// How many nodes.
@@ -92,10 +88,10 @@ impl<const N: usize> Tree<N> {
         self.along(node).into_iter().map(|node| self.points[node]).collect()
     }
 
-    /// What is carried at each of these points; empty where nothing is.
+    /// The posture at each of these points; empty where there is none.
     #[inline(never)]
-    pub fn carried_to(&self, node: usize) -> Vec<Carried> {
-        self.along(node).into_iter().filter_map(|node| self.carried.0.get(node).copied()).collect()
+    pub fn postures_to(&self, node: usize) -> Vec<Posture> {
+        self.along(node).into_iter().filter_map(|node| self.postures.0.get(node).copied()).collect()
     }
 
     /// The nodes from a root to one.

@@ -1,12 +1,12 @@
 //! A path from start to goal, and what is made of it.
 
-use crate::kernel::State;
+use crate::{arm::Posture, kernel::State};
 
 use std::sync::OnceLock;
 
 use super::{
     finish::{Finished, finish},
-    space::{Carried, Load},
+    space::Postures,
     task::Task,
     vector::length,
 };
@@ -18,19 +18,19 @@ pub(super) struct Found<const N: usize> {
     pub(super) raw: Vec<[f64; N]>,
     /// Its length: what is minimised.
     pub(super) cost: f64,
-    /// What is carried at each point, where anything is.
-    pub(super) carried: Load,
+    /// An arm's posture at each point; empty where there is none.
+    pub(super) postures: Postures,
     #[state(skip)]
     finished: OnceLock<Finished<N>>,
 }
 
 impl<const N: usize> Found<N> {
-    pub(super) fn new(raw: Vec<[f64; N]>, carried: Vec<Carried>, iteration: u64) -> Self {
-        Self { cost: length(&raw), raw, carried: Load(carried), iteration, finished: OnceLock::new() }
+    pub(super) fn new(raw: Vec<[f64; N]>, postures: Vec<Posture>, iteration: u64) -> Self {
+        Self { cost: length(&raw), raw, postures: Postures(postures), iteration, finished: OnceLock::new() }
     }
 
     /// Shortened, fitted and smoothed, as the settings say.
     pub(super) fn finished(&self, task: &Task<N>) -> &Finished<N> {
-        self.finished.get_or_init(|| finish(&self.raw, &self.carried.0, &task.finish, &*task.space))
+        self.finished.get_or_init(|| finish(&self.raw, &self.postures.0, &task.finish, &*task.space))
     }
 }

@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::kernel::State;
+use crate::{arm::Posture, kernel::State};
 
 use super::{
     forest::Tree,
     found::Found,
-    space::Carried,
     task::Task,
     vector::{distance, squared},
 };
@@ -103,8 +102,8 @@ struct Piece<const N: usize> {
     tree: usize,
     node: usize,
     to: [f64; N],
-    /// What is carried there.
-    carried: Carried,
+    /// The arm's posture there.
+    posture: Posture,
 }
 
 /// Two trees and what came of growing them: what a [`Method`](super::Method) works on. Tree 0 grows from the start; tree 1 has nodes
@@ -125,9 +124,9 @@ pub struct Forest<const N: usize> {
     /// Whose it is.
     pub(super) nearest_node: usize,
     pub(super) iteration: u64,
-    /// What is carried over the piece that was tested last and is free.
+    /// The piece of an arm's tree that was tested last and is free.
     #[state(skip)]
-    carried: Option<Piece<N>>,
+    last_free: Option<Piece<N>>,
 }
 
 impl<const N: usize> Forest<N> {
@@ -145,7 +144,7 @@ impl<const N: usize> Forest<N> {
             nearest: f64::INFINITY,
             nearest_node: 0,
             iteration: 0,
-            carried: None,
+            last_free: None,
         };
         forest.root(task, 0, task.start);
         forest
@@ -169,19 +168,19 @@ impl<const N: usize> Forest<N> {
     /// Adds a root to a tree.
     pub(super) fn root(&mut self, task: &Task<N>, tree: usize, point: [f64; N]) {
         let node = self.trees[tree].root(point);
-        self.trees[tree].carried.0.extend(task.space.carried().map(|ends| ends[tree]));
+        self.trees[tree].postures.0.extend(task.space.end_postures().map(|ends| ends[tree]));
         self.note(task, tree, node);
     }
 
     /// Adds a child to a node of a tree; its number. The straight piece between them must be free: [`test`](Self::test) says so.
     #[inline(never)]
     pub fn add(&mut self, task: &Task<N>, tree: usize, point: [f64; N], parent: usize) -> usize {
-        let Tree { points, carried, .. } = &self.trees[tree];
-        let carried = carried.0.get(parent).map(|from| match self.carried {
-            Some(piece) if (piece.tree, piece.node, piece.to) == (tree, parent, point) => piece.carried,
-            _ => task.space.carry(&points[parent], from, &point, None).unwrap_or(*from),
+        let Tree { points, postures, .. } = &self.trees[tree];
+        let posture = postures.0.get(parent).map(|from| match self.last_free {
+            Some(piece) if (piece.tree, piece.node, piece.to) == (tree, parent, point) => piece.posture,
+            _ => task.space.posture_at(&points[parent], from, &point, None).unwrap_or(*from),
         });
-        self.trees[tree].carried.0.extend(carried);
+        self.trees[tree].postures.0.extend(posture);
         let node = self.trees[tree].add(point, parent);
         self.note(task, tree, node);
         self.last.added = true;
@@ -213,16 +212,16 @@ impl<const N: usize> Forest<N> {
             return SampleOutcome::Outside;
         }
         self.tested += 1;
-        let Tree { points, carried, .. } = &self.trees[tree];
+        let Tree { points, postures, .. } = &self.trees[tree];
         let from = &points[node];
         if !task.space.is_free(from, to) {
             return SampleOutcome::Blocked;
         }
-        if let Some(at) = carried.0.get(node) {
-            let Some(carried) = task.space.carry(from, at, to, other.map(|other| &carried.0[other])) else {
+        if let Some(at) = postures.0.get(node) {
+            let Some(posture) = task.space.posture_at(from, at, to, other.map(|other| &postures.0[other])) else {
                 return SampleOutcome::Unreachable;
             };
-            self.carried = Some(Piece { tree, node, to: *to, carried });
+            self.last_free = Some(Piece { tree, node, to: *to, posture });
         }
         SampleOutcome::Taken
     }
@@ -262,20 +261,20 @@ impl<const N: usize> Forest<N> {
         if distance(&point, &goal) > task.step || self.test(task, 0, node, &goal) != SampleOutcome::Taken {
             return false;
         }
-        let (mut path, mut carried) = (self.trees[0].path_to(node), self.trees[0].carried_to(node));
+        let (mut path, mut postures) = (self.trees[0].path_to(node), self.trees[0].postures_to(node));
         if point != goal {
             path.push(goal);
-            carried.extend(self.carried.map(|piece| piece.carried));
+            postures.extend(self.last_free.map(|piece| piece.posture));
         }
-        self.keep(path, carried);
+        self.keep(path, postures);
         true
     }
 
-    /// Keeps a path from start to goal whose pieces are free, with what is carried at each of its points, or an empty list where nothing
-    /// is carried: the result.
+    /// Keeps a path from start to goal whose pieces are free, with the posture at each of its points, or an empty list where there is
+    /// none: the result.
     #[inline(never)]
-    pub fn keep(&mut self, path: Vec<[f64; N]>, carried: Vec<Carried>) {
-        debug_assert!(carried.is_empty() || carried.len() == path.len(), "something is carried at each point, or at none");
-        self.found = Some(Arc::new(Found::new(path, carried, self.iteration)));
+    pub fn keep(&mut self, path: Vec<[f64; N]>, postures: Vec<Posture>) {
+        debug_assert!(postures.is_empty() || postures.len() == path.len(), "there is a posture at each point, or at none");
+        self.found = Some(Arc::new(Found::new(path, postures, self.iteration)));
     }
 }

@@ -10,7 +10,7 @@ use crate::{
 };
 
 use super::{
-    carry::free_postures,
+    postures::free_postures,
     space::{Space, room},
 };
 

@@ -29,7 +29,7 @@ pub struct Trees<const N: usize, M> {
     pub(super) rng: Stream,
 }
 
-/// What there is to see of a planner, whatever its method: drawn and told of once for all methods.
+/// What there is to see of a planner, whatever its method: drawn and explained once for all methods.
 pub(super) struct Seen<'a, const N: usize> {
     pub(super) task: &'a Task<N>,
     pub(super) forest: &'a Forest<N>,

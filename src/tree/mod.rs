@@ -37,14 +37,13 @@
 //! ```
 //!
 //! # The parts
-//! - `space`: what a tree grows through; `joints`: an arm's joints; `carry`: how an arm goes along with its tip. `sample`: where it is asked to grow to.
+//! - `space`: what a tree grows through; `joints`: an arm's joints; `postures`: how an arm goes along with its tip. `sample`: where it is asked to grow to.
 //! - `forest`: nodes, parents and lengths; `nearest`: the spatial index.
 //! - `grow`: what a method works on, and what the last extension did. `method`: how one extension is made:
 //!   [`rrt`], [`rrt_guided`], [`rrt_connect`], [`rrt_star`], [`rrt_joint`], a file a planner.
 //! - `found`, `finish`, `polyline`, `hermite`: the path, and what is made of it. [`paths`]: paths for other planners to begin with.
 //! - `planner`: the stepped contract; `draw` and `explain`: what it looks like and why; `parameters`: what the entries share.
 
-mod carry;
 mod draw;
 mod explain;
 mod finish;
@@ -60,6 +59,7 @@ mod parameters;
 pub mod paths;
 mod planner;
 mod polyline;
+mod postures;
 pub mod rrt;
 pub mod rrt_connect;
 pub mod rrt_guided;
@@ -75,7 +75,7 @@ mod vector;
 pub use forest::Tree;
 pub use grow::{By, Forest, SampleOutcome, Source};
 pub use method::{Method, Trees};
-pub use space::{Carried, Space};
+pub use space::Space;
 pub use task::Task;
 
 /// What an evaluation of a tree is.

@@ -123,7 +123,7 @@ pub(super) const REJECTED: Reading =
 pub(super) const TESTED: Reading =
     Reading::new("tested", "n_t", "Tests", Group::Count, "How many straight pieces were tested for collisions.");
 pub(super) const FOUND_AFTER: Reading =
-    CONVERGED.told("k^*", "Found after", "The step in which the path was found, or last became shorter.");
+    CONVERGED.described("k^*", "Found after", "The step in which the path was found, or last became shorter.");
 
 /// What every tree tells.
 pub(super) const READINGS: &[Reading] = &[BEST, SHORT_LENGTH, FINAL_LENGTH, TO_GOAL, NODES, REJECTED, TESTED, FOUND_AFTER];

@@ -57,11 +57,11 @@ impl<const N: usize, M: Method<N>> Explain for Trees<N, M> {
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
-        self.extended(None).seen().tell_birth(item)
+        self.extended(None).seen().describe_birth(item)
     }
 
     fn suppose(&self, item: Item, _supposition: &str, others: &Stream) -> Option<Inspection> {
-        Some(self.extended(Some(others)).seen().tell_supposed(item, self.forest.births.len()))
+        Some(self.extended(Some(others)).seen().describe_supposed(item, self.forest.births.len()))
     }
 
     fn created_at(&self, item: Item) -> Option<u64> {

@@ -18,19 +18,19 @@ const TURN: f64 = 0.35;
 /// How far the hand's joints turn where it cannot be held as it is, in radians: the fourth and the fifth, in the order in which that is
 /// tried.
 const HAND: f64 = 0.3;
-const OTHERS: [[f64; 2]; 8] = [[0.0, -1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
+const HAND_TURNS: [[f64; 2]; 8] = [[0.0, -1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
 /// How far any point of a link may go between two tests, in metres.
 const RESOLUTION: f64 = 0.002;
 
 /// An arm that goes along with its tip.
-pub(super) struct Carrier {
+pub(super) struct ArmMotion {
     scene: Arc<ArmScene>,
     holding: Holding,
     /// The postures at start and goal.
     ends: [Posture; 2],
 }
 
-impl Carrier {
+impl ArmMotion {
     /// Of a scene's arm. It begins in the posture nearest to home that touches nothing; what comes from the goal begins in the one nearest
     /// to that.
     ///
@@ -56,31 +56,31 @@ impl Carrier {
 
     /// The posture at `b` where the tip goes straight there from `a`: the hand as it is held at `a`, or turned evenly to another on the
     /// way, one that is near. With `to` both postures are given, by their hands: the other joints follow from where the tip is.
-    pub(super) fn carry(&self, a: &[f64; 3], from: &Posture, b: &[f64; 3], to: Option<&Posture>) -> Option<Posture> {
+    pub(super) fn posture_at(&self, a: &[f64; 3], from: &Posture, b: &[f64; 3], to: Option<&Posture>) -> Option<Posture> {
         let links = Links::new(&self.scene, 0.0);
         let held = |posture: &Posture| self.holding.hand([posture[3], posture[4], posture[5]]);
         if let Some(to) = to {
             let from = self.holding.nearest(&held(from), *a, from)?;
-            return self.holding.nearest(&held(to), *b, to).filter(|to| self.goes(&links, [a, b], &from, to));
+            return self.holding.nearest(&held(to), *b, to).filter(|to| self.motion_is_free(&links, [a, b], &from, to));
         }
-        let goes = |to: &Posture| self.goes(&links, [a, b], from, to);
-        if let Some(next) = self.holding.nearest(&held(from), *b, from).filter(goes) {
+        let is_free = |to: &Posture| self.motion_is_free(&links, [a, b], from, to);
+        if let Some(next) = self.holding.nearest(&held(from), *b, from).filter(is_free) {
             return Some(next);
         }
-        OTHERS.iter().find_map(|&[fourth, fifth]| {
+        HAND_TURNS.iter().find_map(|&[fourth, fifth]| {
             let mut turned = *from;
             (turned[3], turned[4]) = (from[3] + fourth * HAND, from[4] + fifth * HAND);
             let within = [3, 4].iter().all(|&i| {
                 let joint = &self.scene.arm.joints[i];
                 (joint.min..=joint.max).contains(&turned[i].to_degrees())
             });
-            if within { self.holding.nearest(&held(&turned), *b, from).filter(goes) } else { None }
+            if within { self.holding.nearest(&held(&turned), *b, from).filter(is_free) } else { None }
         })
     }
 
     /// Whether the arm gets from one posture to another with the tip straight on and the hand turning evenly.
     #[inline(never)]
-    fn goes(&self, links: &Links, [a, b]: [&[f64; 3]; 2], from: &Posture, to: &Posture) -> bool {
+    fn motion_is_free(&self, links: &Links, [a, b]: [&[f64; 3]; 2], from: &Posture, to: &Posture) -> bool {
         let pieces = (distance(a, b) / SPACING).ceil().max(1.0);
         let mut before = *from;
         let held = |posture: &Posture| self.holding.hand([posture[3], posture[4], posture[5]]);

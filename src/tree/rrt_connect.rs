@@ -110,21 +110,21 @@ impl<const N: usize> Method<N> for Connect {
     }
 }
 
-/// Keeps the path over a node of each tree, both in one place. Something else may be carried there by each: what the start's tree carries
+/// Keeps the path over a node of each tree, both in one place. Each may have another posture there: from that of the start's tree the arm
 /// has to get on to the goal. Whether it does.
 fn join<const N: usize>(forest: &mut Forest<N>, task: &Task<N>, of_start: usize, of_goal: usize) -> bool {
-    let (mut path, mut carried) = (forest.trees[0].path_to(of_start), forest.trees[0].carried_to(of_start));
+    let (mut path, mut postures) = (forest.trees[0].path_to(of_start), forest.trees[0].postures_to(of_start));
     for point in forest.trees[1].path_to(of_goal).into_iter().rev().skip(1) {
-        if let Some(at) = carried.last() {
+        if let Some(at) = postures.last() {
             forest.tested += 1;
-            let Some(there) = task.space.carry(&path[path.len() - 1], at, &point, None) else {
+            let Some(there) = task.space.posture_at(&path[path.len() - 1], at, &point, None) else {
                 forest.record(point, SampleOutcome::Unreachable);
                 return false;
             };
-            carried.push(there);
+            postures.push(there);
         }
         path.push(point);
     }
-    forest.keep(path, carried);
+    forest.keep(path, postures);
     true
 }

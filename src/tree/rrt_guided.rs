@@ -176,7 +176,7 @@ impl Guided {
         chosen.map_or(self.order.len() - 1, |place| first + place)
     }
 
-    /// Draws the samples and keeps some, in the order in which they are told.
+    /// Draws the samples and keeps some, in the order in which explanations list them.
     fn draw<const N: usize>(&mut self, forest: &mut Forest<N>, task: &Task<N>, near: usize, rng: &mut Stream) {
         let (from, goal) = (forest.trees[0].points[near], task.goal());
         let ahead = minus(&goal, &from);

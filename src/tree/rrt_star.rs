@@ -262,8 +262,8 @@ impl<const N: usize> Method<N> for Star<N> {
         let Some(goal) = self.goal else { return };
         let cost = forest.trees[0].costs[goal];
         if forest.found.as_ref().is_none_or(|found| cost < found.cost) {
-            let (path, carried) = (forest.trees[0].path_to(goal), forest.trees[0].carried_to(goal));
-            forest.keep(path, carried);
+            let (path, postures) = (forest.trees[0].path_to(goal), forest.trees[0].postures_to(goal));
+            forest.keep(path, postures);
         }
     }
 }

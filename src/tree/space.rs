@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    arm::{self, ArmScene},
+    arm::{self, ArmScene, Posture},
     describe::Start,
     geometry::Cuboid,
     kernel::{Digest, Error, Plane, Scene, Solution, Started, State},
@@ -13,18 +13,15 @@ use crate::{
 };
 
 use super::{
-    carry::Carrier,
     parameters::{MARGIN, REACHABLE},
+    postures::ArmMotion,
 };
 
-/// What a node carries besides its coordinates, such as an arm's posture.
-pub type Carried = [f64; 6];
-
-/// What is carried at each of several points, or nothing at all: that adds nothing to a run's hash.
+/// The posture at each of several points, or none at all: that adds nothing to a run's hash.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Load(pub(super) Vec<Carried>);
+pub(super) struct Postures(pub(super) Vec<Posture>);
 
-impl State for Load {
+impl State for Postures {
     fn digest(&self, out: &mut Digest) {
         if !self.0.is_empty() {
             self.0.digest(out);
@@ -46,14 +43,14 @@ pub trait Space<const N: usize>: Send + Sync {
     fn goals(&self) -> &[[f64; N]];
     /// Whether one can go straight from `a`, which is free, to `b`. Called in the inner loop.
     fn is_free(&self, a: &[f64; N], b: &[f64; N]) -> bool;
-    /// What is carried at the start, and at the goals; `None` where nodes carry nothing.
-    fn carried(&self) -> Option<[Carried; 2]> {
+    /// The postures at the start and at the goals; `None` where nodes have none: not for an arm, or only for its tip.
+    fn end_postures(&self) -> Option<[Posture; 2]> {
         None
     }
-    /// What is carried to `b` where one goes straight there from `a`, where it is `from`; `None` where it cannot be. With `to` it is that
-    /// at `b`, and both may be means of what is carried at other points: then they count as what is nearest to them. Called where
-    /// [`is_free`](Self::is_free), if there is anything to carry.
-    fn carry(&self, a: &[f64; N], from: &Carried, b: &[f64; N], to: Option<&Carried>) -> Option<Carried> {
+    /// The posture at `b` of an arm that goes straight there from `a`, where it is `from`; `None` where it cannot. With `to` it is that
+    /// at `b`, and both may be means of other points' postures: then they count as what is nearest to them. Called where
+    /// [`is_free`](Self::is_free), if nodes have postures.
+    fn posture_at(&self, a: &[f64; N], from: &Posture, b: &[f64; N], to: Option<&Posture>) -> Option<Posture> {
         let _ = (a, b, to);
         Some(*from)
     }
@@ -78,7 +75,7 @@ pub trait Space<const N: usize>: Send + Sync {
     fn curves(&self) -> bool {
         false
     }
-    /// Whether the coordinates of the nodes are told, in degrees.
+    /// Whether explanations list the coordinates of the nodes, in degrees.
     fn has_members(&self) -> bool {
         false
     }
@@ -183,7 +180,7 @@ struct Workspace {
     margin: f64,
     grown: Vec<Cuboid>,
     /// The arm that goes along.
-    carrier: Option<Carrier>,
+    motion: Option<ArmMotion>,
 }
 
 /// How far a point is from an obstacle.
@@ -201,7 +198,7 @@ impl Workspace {
             goal: [arm.goal],
             margin,
             grown: arm.cuboids.iter().map(grown).collect(),
-            carrier: if reachable { Some(Carrier::new(&arm)?) } else { None },
+            motion: if reachable { Some(ArmMotion::new(&arm)?) } else { None },
             arm,
         })
     }
@@ -220,12 +217,12 @@ impl Space<3> for Workspace {
         &self.goal
     }
 
-    fn carried(&self) -> Option<[Carried; 2]> {
-        self.carrier.as_ref().map(Carrier::ends)
+    fn end_postures(&self) -> Option<[Posture; 2]> {
+        self.motion.as_ref().map(ArmMotion::ends)
     }
 
-    fn carry(&self, a: &[f64; 3], from: &Carried, b: &[f64; 3], to: Option<&Carried>) -> Option<Carried> {
-        self.carrier.as_ref()?.carry(a, from, b, to)
+    fn posture_at(&self, a: &[f64; 3], from: &Posture, b: &[f64; 3], to: Option<&Posture>) -> Option<Posture> {
+        self.motion.as_ref()?.posture_at(a, from, b, to)
     }
 
     #[inline]

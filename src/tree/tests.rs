@@ -119,7 +119,7 @@ fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
 /// without touching anything.
 fn goes_along(arm: &ArmScene, task: &Task<3>, tree: &Tree<3>, node: usize) -> bool {
     let parent = tree.parent(node).unwrap_or(node);
-    let ([posture, from], [there, here]) = ([&tree.carried.0[node], &tree.carried.0[parent]], [&tree.points[node], &tree.points[parent]]);
+    let ([posture, from], [there, here]) = ([&tree.postures.0[node], &tree.postures.0[parent]], [&tree.points[node], &tree.points[parent]]);
     let within = |(joint, angle): (&Joint, f64)| (joint.min - 1e-9..=joint.max + 1e-9).contains(&angle);
     let tips = tip_path(&arm.arm, &[*from, *posture]);
     let way: f64 = tips.windows(2).map(|w| distance(&w[0], &w[1])).sum();
@@ -127,7 +127,7 @@ fn goes_along(arm: &ArmScene, task: &Task<3>, tree: &Tree<3>, node: usize) -> bo
     let gets_there = if distance(there, here) < 0.035 {
         way - distance(&tips[0], &tips[tips.len() - 1]) < 2e-3 && motion_is_free(arm, from, posture, 0.0, 1e-3)
     } else {
-        task.space.carry(here, from, there, Some(posture)).is_some_and(|to| distance(&to, posture) < 1e-9)
+        task.space.posture_at(here, from, there, Some(posture)).is_some_and(|to| distance(&to, posture) < 1e-9)
     };
     distance(&arm.arm.skeleton(posture)[4], there) < 1e-9
         && arm.arm.joints.iter().zip(degrees(posture)).all(within)
@@ -153,7 +153,7 @@ fn watch<M: Method<3>>(mut grown: Trees<3, M>, steps: usize, scene: &Scene) {
     assert_eq!(forest.births.len(), forest.trees[0].len() + forest.trees[1].len());
     for tree in &forest.trees {
         let arm = scene.get::<ArmScene>().ok();
-        assert_eq!(tree.carried.0.len(), if arm.is_some() { tree.len() } else { 0 });
+        assert_eq!(tree.postures.0.len(), if arm.is_some() { tree.len() } else { 0 });
         for node in 0..tree.len() {
             assert!(task.contains(&tree.points[node]));
             assert!(arm.is_none_or(|arm| goes_along(arm, &task, tree, node)));
@@ -174,9 +174,9 @@ fn watch<M: Method<3>>(mut grown: Trees<3, M>, steps: usize, scene: &Scene) {
         assert_eq!((path[0], path[path.len() - 1]), (task.start, task.goal()));
         assert!(path.windows(2).all(|w| task.space.is_free(&w[0], &w[1])), "{}", scene.name());
         // The arm gets along all of what was found, from posture to posture.
-        assert_eq!(found.carried.0.len(), if scene.kind() == ARM { found.raw.len() } else { 0 });
-        for (points, postures) in found.raw.windows(2).zip(found.carried.0.windows(2)) {
-            assert!(task.space.carry(&points[0], &postures[0], &points[1], Some(&postures[1])).is_some(), "{}", scene.name());
+        assert_eq!(found.postures.0.len(), if scene.kind() == ARM { found.raw.len() } else { 0 });
+        for (points, postures) in found.raw.windows(2).zip(found.postures.0.windows(2)) {
+            assert!(task.space.posture_at(&points[0], &postures[0], &points[1], Some(&postures[1])).is_some(), "{}", scene.name());
         }
         let lengths = [&found.raw, &found.finished(&task).short].map(|path| vector::length(path));
         assert!(lengths[1] <= lengths[0] * (1.0 + 1e-12), "{lengths:?}");
@@ -331,16 +331,19 @@ fn a_node_says_how_it_came_about_however_long_ago() {
     let nodes = run.readings().get("nodes").unwrap() as usize;
     let mut fallbacks = 0;
     for index in 0..nodes {
-        let told = run.inspect(Item { layer: layers::NODES.key, index }).unwrap();
-        assert_eq!(told.title.text(), format!("Node {}", index + 1));
+        let inspection = run.inspect(Item { layer: layers::NODES.key, index }).unwrap();
+        assert_eq!(inspection.title.text(), format!("Node {}", index + 1));
         if index == 0 {
-            assert_eq!(told.event, "root");
+            assert_eq!(inspection.event, "root");
             continue;
         }
-        assert_eq!(told.rows.len(), 20);
-        assert_eq!(told.labels.iter().filter(|label| label.text().ends_with(": taken")).count(), usize::from(told.event == "guided"));
-        assert!(["guided", "random step"].contains(&told.event));
-        fallbacks += usize::from(told.event == "random step");
+        assert_eq!(inspection.rows.len(), 20);
+        assert_eq!(
+            inspection.labels.iter().filter(|label| label.text().ends_with(": taken")).count(),
+            usize::from(inspection.event == "guided")
+        );
+        assert!(["guided", "random step"].contains(&inspection.event));
+        fallbacks += usize::from(inspection.event == "random step");
     }
     assert!(fallbacks > 0 && fallbacks < nodes - 1);
     assert_eq!(run.inspect(Item { layer: layers::NODES.key, index: nodes }), None);

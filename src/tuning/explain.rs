@@ -52,7 +52,7 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
             label!("tuning-swarm-best", "global", "\\bar L_g", "the swarm’s best").is(swarm.g_cost.length),
         ]
         .into_iter()
-        .filter(|told: &Quantity| told.value.is_finite())
+        .filter(|inspection: &Quantity| inspection.value.is_finite())
         .collect(),
         formulas: vec!["velocity"],
         columns: COLUMNS.to_vec(),

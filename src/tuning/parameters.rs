@@ -84,7 +84,7 @@ pub(super) const MEAN: Reading =
 pub(super) const LENGTH: Reading =
     Reading::new("length", "L", "Shortest", Group::Length, "The length of the best parameters’ shortest way.");
 pub(super) const FOUND: Reading =
-    CONVERGED.told("\\bar t^*", "Converged", "The mean iteration in which the best parameters’ runs found their result.");
+    CONVERGED.described("\\bar t^*", "Converged", "The mean iteration in which the best parameters’ runs found their result.");
 pub(super) const RUNS: Reading = Reading::new("runs", "", "Runs", Group::Count, "Runs of the colony so far.");
 
 const fn tuned(name: &'static str, symbol: &'static str, title: &'static str) -> Reading {

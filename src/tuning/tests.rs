@@ -30,7 +30,7 @@ fn every_number_of_every_colony_can_be_tuned() {
     let mut count = 0;
     for name in numbers.filter(|name| *name != "iterations") {
         assert!(known.contains(&name), "{name} cannot be tuned");
-        assert!(ENTRY.readings.iter().any(|reading| reading.name == name), "{name} is not told");
+        assert!(ENTRY.readings.iter().any(|reading| reading.name == name), "{name} is no reading");
         count += 1;
     }
     assert!(count > known.len());

@@ -86,12 +86,12 @@ fn a_swarm_flies_by_a_schedule_from_outside_and_can_be_looked_into() {
 
 #[test]
 fn a_box_without_a_meaning_is_refused_by_name() {
-    let told = |made: Result<SearchBox, Error>| made.map(|_| ()).unwrap_err().to_string();
-    assert_eq!(told(SearchBox::new([], [])), "low: an empty list is not allowed; it must be one number at least");
-    assert_eq!(told(SearchBox::cube(0, 0.0, 1.0)), "low: an empty list is not allowed; it must be one number at least");
-    assert_eq!(told(SearchBox::new([0.0; 2], [1.0])), "high: a list of 1 is not allowed; it must be as long as low, which has 2");
-    assert_eq!(told(SearchBox::new([0.0, f64::NAN], [1.0; 2])), "low[1]: NaN is not allowed; it must be a finite number");
-    assert_eq!(told(SearchBox::cube(1, 2.0, 1.0)), "high[0]: 1 is not allowed; it must be a finite number from 2 on");
+    let refusal = |made: Result<SearchBox, Error>| made.map(|_| ()).unwrap_err().to_string();
+    assert_eq!(refusal(SearchBox::new([], [])), "low: an empty list is not allowed; it must be one number at least");
+    assert_eq!(refusal(SearchBox::cube(0, 0.0, 1.0)), "low: an empty list is not allowed; it must be one number at least");
+    assert_eq!(refusal(SearchBox::new([0.0; 2], [1.0])), "high: a list of 1 is not allowed; it must be as long as low, which has 2");
+    assert_eq!(refusal(SearchBox::new([0.0, f64::NAN], [1.0; 2])), "low[1]: NaN is not allowed; it must be a finite number");
+    assert_eq!(refusal(SearchBox::cube(1, 2.0, 1.0)), "high[0]: 1 is not allowed; it must be a finite number from 2 on");
     assert!(SearchBox::cube(1, -f64::MAX, f64::MAX).is_err(), "its side is infinite");
     assert_eq!(SearchBox::cube(2, 1.0, 1.0).unwrap().sides().collect::<Vec<_>>(), [0.0; 2]);
 }
@@ -184,9 +184,9 @@ fn a_swarm_from_outside_moves_the_particles_of_a_population() {
     assert!(run.planner.best().unwrap().cost < 1e-9);
     let mut readings = Readings::default();
     run.planner.read(&mut readings);
-    let told: Vec<_> = readings.iter().map(|(name, _)| name).collect();
-    assert_eq!(told, ["best", "mean", "spread"]);
-    assert!(Population::READINGS.iter().map(|reading| reading.name).take(3).eq(told));
+    let names: Vec<_> = readings.iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["best", "mean", "spread"]);
+    assert!(Population::READINGS.iter().map(|reading| reading.name).take(3).eq(names));
     let mut frame = Frame::default();
     frame.clear(1000, Population::LAYERS.iter().map(|layer| layer.key));
     run.planner.draw(&mut frame);

@@ -66,8 +66,8 @@ impl Search for Descents {
         out.push(self.tours[i].length);
     }
 
-    fn explain(&self, i: usize, told: &mut Inspection) {
-        told.title = message!("descent", "Descent {i}", i);
+    fn explain(&self, i: usize, inspection: &mut Inspection) {
+        inspection.title = message!("descent", "Descent {i}", i);
     }
 }
 
@@ -128,8 +128,8 @@ fn what_every_tour_has_comes_without_the_search() {
     assert_eq!(names, [&[best, found][..], &MEMBERS.iter().map(|reading| reading.name).collect::<Vec<_>>()].concat());
     assert_eq!((readings.get("tried"), run.planner.evaluations()), (Some(80.0), 82));
     let facets = run.planner.facets();
-    let told = facets.explain.unwrap().inspect(Item { layer: layers::TOURS.key, index: 1 }).unwrap();
-    assert!(told.title.text() == "Descent 1" && told.rows.len() == 8 && !told.marks.is_empty(), "{told:?}");
+    let inspection = facets.explain.unwrap().inspect(Item { layer: layers::TOURS.key, index: 1 }).unwrap();
+    assert!(inspection.title.text() == "Descent 1" && inspection.rows.len() == 8 && !inspection.marks.is_empty(), "{inspection:?}");
     let mut lengths = Vec::new();
     facets.members.unwrap().members(&mut lengths);
     assert_eq!(lengths.iter().copied().reduce(f64::min), run.planner.best().map(|best| best.cost));

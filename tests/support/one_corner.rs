@@ -243,10 +243,11 @@ impl Explain for OneCorner {
         if item.layer != CORNER.key || (item.index > 0 && self.wrong != ExplainsBeyond) {
             return None;
         }
-        let mut told = Inspection::new(item, message!("corner", "Corner"), "tried", message!("corner-drawn", "It was drawn at random."));
-        told.values = vec![label!("corner-x", "x", "x", "Coordinate").is(self.memory().tried[0])];
-        told.formulas = if self.wrong == OtherFormula { vec!["other"] } else { Vec::new() };
-        Some(told)
+        let mut inspection =
+            Inspection::new(item, message!("corner", "Corner"), "tried", message!("corner-drawn", "It was drawn at random."));
+        inspection.values = vec![label!("corner-x", "x", "x", "Coordinate").is(self.memory().tried[0])];
+        inspection.formulas = if self.wrong == OtherFormula { vec!["other"] } else { Vec::new() };
+        Some(inspection)
     }
 }
 

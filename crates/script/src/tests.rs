@@ -46,7 +46,7 @@ impl Script for Shared {
         let x: Vec<_> = low.iter().zip(high).map(|(low, high)| low + (high - low) * tools.random()).collect();
         let cost = tools.evaluate(&x).expect("the dimension is right");
         let wrong = start.parameters.all().iter().any(|(name, value)| *name == "wrong" && value.to_string() == "true");
-        let result = if wrong { Err(message!("demo-wrong", "it was told to")) } else { Ok(CLIMBER.keep((cost, x))) };
+        let result = if wrong { Err(message!("demo-wrong", "it was asked to")) } else { Ok(CLIMBER.keep((cost, x))) };
         Call { tools: Some(tools), result }
     }
 
@@ -148,7 +148,7 @@ fn a_script_has_what_planners_have() {
 #[test]
 fn what_does_not_start_is_refused() {
     let error = run(Overrides::from_iter([("wrong", forage::Value::Flag(true))]), 1).err().unwrap();
-    assert!(error.field() == "planner" && error.to_string().contains("it was told to"), "{error}");
+    assert!(error.field() == "planner" && error.to_string().contains("it was asked to"), "{error}");
 }
 
 #[test]

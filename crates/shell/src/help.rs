@@ -102,16 +102,16 @@ fn examples(text: &str) -> String {
 }
 
 /// A text by its paragraphs.
-fn told(text: &StyledStr) -> String {
+fn plain(text: &StyledStr) -> String {
     paragraphs(text).iter().map(|part| say(part, "").to_owned()).collect::<Vec<_>>().join("\n\n")
 }
 
 /// Every text of a command and of those below it.
 fn translated(mut command: Command) -> Command {
-    if let Some(about) = command.get_about().map(told) {
+    if let Some(about) = command.get_about().map(plain) {
         command = command.about(about);
     }
-    if let Some(about) = command.get_long_about().map(told) {
+    if let Some(about) = command.get_long_about().map(plain) {
         command = command.long_about(about);
     }
     if let Some(after) = command.get_after_help().map(|after| examples(&after.to_string())) {
@@ -124,7 +124,7 @@ fn translated(mut command: Command) -> Command {
 }
 
 fn argument(arg: Arg) -> Arg {
-    let (help, long) = (arg.get_help().map(told), arg.get_long_help().map(told));
+    let (help, long) = (arg.get_help().map(plain), arg.get_long_help().map(plain));
     let arg = if let Some(help) = help { arg.help(help) } else { arg };
     if let Some(long) = long { arg.long_help(long) } else { arg }
 }

@@ -94,7 +94,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
 /// Published lengths that no way between these cells has.
 fn impossible(scene: &Scene) -> Result<Option<String>, Error> {
     let by = Steps::of(scene)?;
-    let told: Vec<_> = ANTBAT
+    let lengths: Vec<_> = ANTBAT
         .iter()
         .filter(|way| !way.length.is_length(&by))
         .map(|way| {
@@ -102,8 +102,8 @@ fn impossible(scene: &Scene) -> Result<Option<String>, Error> {
             format!("{:.2} (next to it are {})", way.length.value, around.join(" and "))
         })
         .collect();
-    Ok((!told.is_empty()).then(|| {
-        format!("No path from cell to cell between these cells has the published lengths {}: they were measured in some other way, so compare with care.", told.join(", "))
+    Ok((!lengths.is_empty()).then(|| {
+        format!("No path from cell to cell between these cells has the published lengths {}: they were measured in some other way, so compare with care.", lengths.join(", "))
     }))
 }
 

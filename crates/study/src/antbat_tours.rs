@@ -133,7 +133,7 @@ impl Job for Task {
             feasible: outcome.feasible,
             length: outcome.length.filter(|_| outcome.feasible),
             gap: outcome.gap.filter(|_| outcome.feasible),
-            order: tours::told(&outcome.order.unwrap_or_default()),
+            order: tours::printed(&outcome.order.unwrap_or_default()),
             converged: outcome.readings.iter().find(|(name, _)| *name == "converged").map(|(_, value)| *value),
             evaluations: outcome.evaluations,
         }))

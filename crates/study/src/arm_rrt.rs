@@ -179,8 +179,8 @@ fn trees(scene: &Scene, title: &str, rows: &[Run]) -> Result<Table, Error> {
     ];
     let line = straight_line(scene.get::<ArmScene>()?);
     let exact = scene.exact().map(|exact| exact.length);
-    let told = exact.map_or(String::new(), |exact| format!(", exact optimum {exact:.4} m"));
-    let mut table = Table::new(scene.name(), format!("{title}: straight line {line:.4} m{told}"), &columns);
+    let optimum = exact.map_or(String::new(), |exact| format!(", exact optimum {exact:.4} m"));
+    let mut table = Table::new(scene.name(), format!("{title}: straight line {line:.4} m{optimum}"), &columns);
     for runs in cells(scene.name(), rows) {
         let nodes = summary(&runs, |run| run.found.then_some(run.nodes as f64));
         let extensions = summary(&runs, |run| run.found.then_some(run.extensions as f64));
@@ -293,7 +293,7 @@ fn notes(rows: &[Run]) -> Vec<String> {
 
 /// Every run in which something was not reached or not free, by its seed.
 fn failures(rows: &[Run]) -> Vec<String> {
-    let mut told = Vec::new();
+    let mut notes = Vec::new();
     for runs in SCENES.iter().flat_map(|scene| cells(scene, rows)) {
         let cell = format!("{}, {}{}", runs[0].scene, runs[0].planner, runs[0].step.map_or(String::new(), |step| format!(", step {step}")));
         let seeds =
@@ -304,9 +304,9 @@ fn failures(rows: &[Run]) -> Vec<String> {
             ("THE ARM TOUCHES SOMETHING", seeds(&|run| run.followed == Some(true) && run.free == Some(false))),
         ] {
             if !seeds.is_empty() {
-                told.push(format!("{cell}: {what} with the seeds {seeds}."));
+                notes.push(format!("{cell}: {what} with the seeds {seeds}."));
             }
         }
     }
-    told
+    notes
 }

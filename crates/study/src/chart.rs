@@ -121,7 +121,7 @@ pub(super) fn times(path: &Path, pictures: &[(&str, &[Curve])]) -> Result<(), Fa
     drawn(path, |out| over_stops(out, pictures))
 }
 
-/// The curves' colours, told apart by lightness too.
+/// The curves' colours, different in lightness too.
 pub(super) const MANY: [RGBColor; 7] = [
     RGBColor(0, 98, 155),
     RGBColor(200, 80, 0),

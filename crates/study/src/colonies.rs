@@ -28,7 +28,7 @@ use super::{
     table::{Cell, Table, Title},
 };
 
-/// Seeds a planner unless told otherwise. The papers do not say how many runs their figures stand for.
+/// Seeds a planner if no other number is given. The papers do not say how many runs their figures stand for.
 pub(super) const RUNS: u64 = 30;
 
 /// A run. What is measured of a way is missing where no feasible one was found.

@@ -304,8 +304,8 @@ mod tests {
         assert_eq!(differences(&[report()], &Fingerprints::default(), &out).unwrap(), Vec::<String>::new());
         let text = fs::read_to_string(&written[1]).unwrap();
         fs::write(&written[1], text.replace("0.0015", "0.0016")).unwrap();
-        let told = differences(&[report()], &Fingerprints::default(), &out).unwrap();
-        assert!(told.len() == 1 && told[0].contains("REPRODUCTION.csv differs in line 2"), "{told:?}");
+        let found = differences(&[report()], &Fingerprints::default(), &out).unwrap();
+        assert!(found.len() == 1 && found[0].contains("REPRODUCTION.csv differs in line 2"), "{found:?}");
         fs::write(&written[1], text + "\n").unwrap();
         assert!(differences(&[report()], &Fingerprints::default(), &out).unwrap()[0].contains("lines instead of"));
     }

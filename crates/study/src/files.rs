@@ -104,8 +104,8 @@ mod tests {
         let path = Path::new("rows.csv");
         assert!(matches!(locked(Ok(()), path), Ok(None)));
         let none = io::Error::from(io::ErrorKind::Unsupported);
-        let told = locked(Err(TryLockError::Error(none)), path).unwrap().unwrap().to_string();
-        assert!(told.starts_with("rows.csv: it cannot be locked") && told.contains("let nothing else write"), "{told}");
+        let note = locked(Err(TryLockError::Error(none)), path).unwrap().unwrap().to_string();
+        assert!(note.starts_with("rows.csv: it cannot be locked") && note.contains("let nothing else write"), "{note}");
         let refused = locked(Err(TryLockError::WouldBlock), path).unwrap_err().to_string();
         assert!(refused.contains("another `forage` is writing it"), "{refused}");
     }

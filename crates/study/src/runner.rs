@@ -42,7 +42,7 @@ pub trait Job: Sync {
 pub struct Control<'a> {
     /// Set it, and the experiment stops as soon as it can.
     pub stop: &'a AtomicBool,
-    /// Is told the work that is done, and all of it.
+    /// Called with the work that is done, and all of it.
     pub progress: &'a (dyn Fn(u64, u64) + Sync),
 }
 
@@ -81,7 +81,7 @@ pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
 }
 
 /// Carries out the jobs that are `left` of `total` work, and hands each finding to `keep`, one after the other. It
-/// returns early when it is told to stop, and then not everything is kept.
+/// returns early when it is asked to stop, and then not everything is kept.
 ///
 /// # Errors
 /// What a job refuses, or `keep` reports; nothing is handed over after that.
@@ -265,8 +265,8 @@ mod tests {
         let jobs: Vec<_> = (0..12).filter(|number| number % 3 == 0).map(|number| Task { number, version: 1.0 }).collect();
         meets_every_fault(
             &|_| {},
-            &|folder, told| {
-                let control = Control { stop: &AtomicBool::new(false), progress: &|done, _| told(done) };
+            &|folder, on_done| {
+                let control = Control { stop: &AtomicBool::new(false), progress: &|done, _| on_done(done) };
                 run(&jobs, &folder.join("rows.csv"), false, Some(1), &control).map(drop)
             },
             &|folder| fs::read_to_string(folder.join("rows.csv")).unwrap_or_default().lines().count().saturating_sub(1) as u64,

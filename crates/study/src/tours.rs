@@ -116,13 +116,13 @@ pub(super) fn exact_distances(scene: &Scene, reference: ReferenceOptimum) -> Res
 }
 
 /// An order as a row keeps it: the stops' numbers as commands and pictures count them, from 1.
-pub(super) fn told(order: &[usize]) -> String {
+pub(super) fn printed(order: &[usize]) -> String {
     order.iter().map(|stop| (stop + 1).to_string()).collect::<Vec<_>>().join(" ")
 }
 
 /// And back.
-pub(super) fn order(told: &str) -> Vec<usize> {
-    told.split_whitespace().filter_map(|number| number.parse::<usize>().ok()?.checked_sub(1)).collect()
+pub(super) fn order(printed: &str) -> Vec<usize> {
+    printed.split_whitespace().filter_map(|number| number.parse::<usize>().ok()?.checked_sub(1)).collect()
 }
 
 /// Whether two lengths are the same up to the order in which steps are added.
@@ -151,12 +151,12 @@ mod tests {
             assert_eq!(found.outcome.hash, alone.hash());
             assert!(found.roads_ms > 0.0 && found.order_ms > 0.0);
         }
-        assert!(carry_out(&setup(3), &Network::default(), &AtomicBool::new(true)).unwrap().is_none(), "it was told to stop");
+        assert!(carry_out(&setup(3), &Network::default(), &AtomicBool::new(true)).unwrap().is_none(), "it was asked to stop");
     }
 
     #[test]
     fn an_order_is_kept_as_text() {
-        assert_eq!(told(&[0, 4, 11]), "1 5 12");
+        assert_eq!(printed(&[0, 4, 11]), "1 5 12");
         assert_eq!(order("1 5 12"), [0, 4, 11]);
         assert!(order("").is_empty());
     }

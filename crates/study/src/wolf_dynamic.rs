@@ -117,7 +117,7 @@ impl Job for Task {
         let outcome = run.outcome();
         let number = |name: &str| outcome.readings.iter().find(|(n, _)| *n == name).map_or(f64::NAN, |(_, value)| *value);
         let count = |name: &str| number(name) as u64;
-        let told = |kind: &str| outcome.events.iter().filter(|event| event.kind == kind).count() as u64;
+        let events = |kind: &str| outcome.events.iter().filter(|event| event.kind == kind).count() as u64;
         Ok(Some(Run {
             scene: self.setup.scene.name().to_owned(),
             planner: self.setup.planner.clone(),
@@ -128,7 +128,7 @@ impl Job for Task {
             arrived: outcome.status == Status::Solved,
             collisions: count("collisions"),
             foreseen_late: foreseen_late(&outcome.events),
-            cornered: told("cornered"),
+            cornered: events("cornered"),
             length: outcome.length,
             exact: outcome.exact,
             seconds: number("time"),

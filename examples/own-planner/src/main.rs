@@ -291,10 +291,10 @@ impl Explain for CompassSearch {
         let event = if cost <= self.cost { "taken" } else { "rejected" };
         let summary =
             message!("compass-cost", "Its cost is {cost:.6}; the search stands where the cost is {here:.6}.", cost, here = self.cost);
-        let mut told = Inspection::new(item, title, event, summary);
-        told.values = vec![label!("compass-label-cost", "cost", "f(x)", "Cost").is(cost)];
-        told.marks = vec![Mark::plane(STENCIL, Shape::Segments, vec![here, probe])];
-        Some(told)
+        let mut inspection = Inspection::new(item, title, event, summary);
+        inspection.values = vec![label!("compass-label-cost", "cost", "f(x)", "Cost").is(cost)];
+        inspection.marks = vec![Mark::plane(STENCIL, Shape::Segments, vec![here, probe])];
+        Some(inspection)
     }
 }
 

@@ -13,9 +13,9 @@ fn an_obstacle_and_the_robot_can_be_supposed_to_stand_still() {
     let mut run = start("a-star-drive", &scene, &[], 1);
     run.step(10);
     let item = Item { layer: layers::MOVING.key, index: 0 };
-    let told = run.inspect(item).unwrap();
-    let value = |told: &Inspection, name: &str| told.values.iter().find(|value| value.label.name == name).unwrap().value;
-    let together = value(&told, "t");
+    let inspection = run.inspect(item).unwrap();
+    let value = |inspection: &Inspection, name: &str| inspection.values.iter().find(|value| value.label.name == name).unwrap().value;
+    let together = value(&inspection, "t");
     // 16 apart along the lines, at 3 a second.
     let now = reading(&run.outcome(), "time");
     assert!((now + together - 16.0 / 3.0).abs() < 1e-9, "{together} from {now} on");
@@ -33,8 +33,8 @@ fn how_near_an_obstacle_comes_is_told_until_it_turns() {
     let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [17, 7], "radius": 1, "velocity": [0, 1]}"#);
     let mut run = start("a-star-drive", &scene, &[("border", Value::from("bounce"))], 1);
     run.step(5);
-    let told = run.inspect(Item { layer: layers::MOVING.key, index: 0 }).unwrap();
-    let time = told.values.iter().find(|value| value.label.name == "t").unwrap().value;
+    let inspection = run.inspect(Item { layer: layers::MOVING.key, index: 0 }).unwrap();
+    let time = inspection.values.iter().find(|value| value.label.name == "t").unwrap().value;
     let now = reading(&run.outcome(), "time");
     assert!(now > 0.1 && (now + time - 2.0).abs() < 1e-9, "{time} from {now} on");
 }

@@ -30,7 +30,7 @@ impl Pose {
     }
 }
 
-/// What the robot is told for a period.
+/// What the robot is to do in a period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Motion {
     /// v, forward, in the scene's unit per second.

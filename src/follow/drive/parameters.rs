@@ -71,7 +71,7 @@ pub(super) const GEAR: Param<u64> =
     Param::integer("gear", "n_g", "Gear ratio", [1, 10_000, 131], "Turns of the motor a turn of the wheel. Published: 131.")
         .slider(1.0, 300.0, true);
 
-/// The numbers of a row: where the robot is at the end of a period, and what it was told in it (at the start, nothing).
+/// The numbers of a row: where the robot is at the end of a period, and what it was to do in it (at the start, nothing).
 /// Without obstacles the clearance is infinite.
 pub const COLUMNS: &[Column] = &[
     Column::new("time", "t", "Time", "s"),

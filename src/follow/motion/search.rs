@@ -18,7 +18,7 @@ pub(super) struct Layer {
     pub(super) postures: Vec<Posture>,
 }
 
-/// What the search is told about a move.
+/// What the search knows of a move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Move {
     Allowed,

@@ -273,8 +273,8 @@ fn every_parameter_has_both_its_ends() {
             let motion = follow(&scene, &path, &pairs);
             let (outcome, off) = (&motion.outcome, 0.01_f64.max(motion.parameters[SPACING]));
             // What does not arrive, or leaves the path, says so; nothing else does.
-            let told = !outcome.arrived || outcome.max_error > off;
-            assert!(outcome.time.is_finite() && told == outcome.failure.is_some(), "{} = {value}: {outcome:?}", parameter.name);
+            let failed = !outcome.arrived || outcome.max_error > off;
+            assert!(outcome.time.is_finite() && failed == outcome.failure.is_some(), "{} = {value}: {outcome:?}", parameter.name);
         }
     }
     let refused = along(&scene, None, &given(&[("spacing", 0.0.into())])).unwrap_err();

@@ -80,12 +80,12 @@ fn an_explanation_does_not_depend_on_what_was_asked_before() {
     let item = Item { layer: layers::PARTICLES.key, index: 17 };
     let mut watched = Run::with_keyframes(standard(), setup.clone(), 200_000).unwrap();
     let mut hashes = Vec::new();
-    let told: Vec<_> = (0..40)
+    let inspection: Vec<_> = (0..40)
         .map(|_| {
             watched.step(1);
-            let told = watched.inspect(item).unwrap();
+            let inspection = watched.inspect(item).unwrap();
             hashes.push(watched.hash());
-            told
+            inspection
         })
         .collect();
     let mut fresh = Run::with_keyframes(standard(), setup, 0).unwrap();
@@ -93,7 +93,7 @@ fn an_explanation_does_not_depend_on_what_was_asked_before() {
         watched.seek(k);
         fresh.seek(k);
         assert_eq!(fresh.hash(), hashes[k as usize - 1]);
-        assert_eq!(fresh.inspect(item).as_ref(), Some(&told[k as usize - 1]));
-        assert_eq!(watched.inspect(item).as_ref(), Some(&told[k as usize - 1]));
+        assert_eq!(fresh.inspect(item).as_ref(), Some(&inspection[k as usize - 1]));
+        assert_eq!(watched.inspect(item).as_ref(), Some(&inspection[k as usize - 1]));
     }
 }

@@ -386,11 +386,11 @@ impl GridScene {
     /// A drive must arrive, cross nothing, and never touch a moving obstacle. Its path must be the one through its moments.
     pub(super) fn judge_drive(&self, track: &Track) -> Verdict {
         let verdict = self.judge_path(&track.path);
-        let mut told: Vec<_> = track.moments.iter().map(|&[_, x, y]| [x, y]).collect();
-        told.dedup();
+        let mut places: Vec<_> = track.moments.iter().map(|&[_, x, y]| [x, y]).collect();
+        places.dedup();
         let gap = self.gap(track).unwrap_or(f64::INFINITY);
         let clearance = verdict.clearance.into_iter().chain(gap.is_finite().then_some(gap)).reduce(f64::min);
-        Verdict { feasible: verdict.feasible && told == track.path && gap >= -CONTACT * self.cell, clearance, ..verdict }
+        Verdict { feasible: verdict.feasible && places == track.path && gap >= -CONTACT * self.cell, clearance, ..verdict }
     }
 
     /// The smallest distance between the robot of a track and a moving obstacle, negative if they overlap; `None` without one.

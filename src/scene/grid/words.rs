@@ -4,7 +4,7 @@ use crate::{geometry::Cells, kernel::Message, message};
 
 /// A cell by its column and row.
 pub(crate) fn cell(cells: &Cells, cell: usize) -> Message {
-    let [column, row] = cells.told(cell);
+    let [column, row] = cells.counted_place(cell);
     message!("scene-cell", "Column {column}, row {row}", column, row)
 }
 

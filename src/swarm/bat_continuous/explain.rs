@@ -87,36 +87,36 @@ impl Bats {
         } else {
             message!("swarm-bat-stays", "It does not accept the new position and stays.")
         };
-        let mut told = sheet(meaning, item, if walked { "walk" } else { "flight" }, moved.then(outcome), now.dimension);
-        told.title = message!("swarm-bat", "Bat {i}", i);
-        told.columns = COLUMNS.to_vec();
-        told.rows = terms.iter().zip(x).map(|(term, &x)| vec![x, term.f, term.v, term.epsilon, term.to]).collect();
+        let mut inspection = sheet(meaning, item, if walked { "walk" } else { "flight" }, moved.then(outcome), now.dimension);
+        inspection.title = message!("swarm-bat", "Bat {i}", i);
+        inspection.columns = COLUMNS.to_vec();
+        inspection.rows = terms.iter().zip(x).map(|(term, &x)| vec![x, term.f, term.v, term.epsilon, term.to]).collect();
         let velocity = if self.sign > 0.0 { BAT_VELOCITY } else { BAT_VELOCITY_TOWARD };
-        told.formulas = if walked { vec![WALK_ABOUT.name] } else { vec![FREQUENCY.name, velocity.name, BAT_POSITION.name] };
-        told.formulas.extend(if accepted { &["loudness", "pulse"][..] } else { &[] });
+        inspection.formulas = if walked { vec![WALK_ABOUT.name] } else { vec![FREQUENCY.name, velocity.name, BAT_POSITION.name] };
+        inspection.formulas.extend(if accepted { &["loudness", "pulse"][..] } else { &[] });
         let [inertia, _, best, others] = SUPPOSITIONS;
-        told.suppositions = if walked { vec![others] } else { vec![inertia, best, others] };
+        inspection.suppositions = if walked { vec![others] } else { vec![inertia, best, others] };
         let first = terms[0];
         let by = |of: &dyn Fn(usize) -> f64| -> Vec<f64> { (0..x.len()).map(|j| x[j] + of(j)).collect() };
         let v = &self.v[row.clone()];
-        quantities(&mut told, &MOVED, &[first.f, v[0], x[0], now.g[0], first.v, first.to]);
+        quantities(&mut inspection, &MOVED, &[first.f, v[0], x[0], now.g[0], first.v, first.to]);
         if walked {
-            quantities(&mut told, &WALKED, &[first.epsilon, after.mean_loudness]);
+            quantities(&mut inspection, &WALKED, &[first.epsilon, after.mean_loudness]);
         }
         let costs = [now.cost[i], next.cost[i], next.p_cost[i], after.loudness[i], after.pulse_rate[i]];
-        quantities(&mut told, &AFTERWARDS, &costs);
-        told.marks = vec![mark(meaning, layers::BEFORE.key, x)];
+        quantities(&mut inspection, &AFTERWARDS, &costs);
+        inspection.marks = vec![mark(meaning, layers::BEFORE.key, x)];
         if walked {
-            told.marks.push(arrows(meaning, layers::JUMP.key, &now.g, &to));
+            inspection.marks.push(arrows(meaning, layers::JUMP.key, &now.g, &to));
         } else {
             let pull = |j: usize| after.sign * (x[j] - now.g[j]) * terms[j].f;
-            told.marks.extend([
+            inspection.marks.extend([
                 arrows(meaning, layers::INERTIA.key, x, &by(&|j| v[j])),
                 arrows(meaning, layers::SOCIAL.key, x, &by(&pull)),
                 arrows(meaning, layers::VELOCITY.key, x, &to),
             ]);
         }
-        told.marks.push(mark(meaning, layers::AFTER.key, &next.x[row]));
-        Some(told)
+        inspection.marks.push(mark(meaning, layers::AFTER.key, &next.x[row]));
+        Some(inspection)
     }
 }

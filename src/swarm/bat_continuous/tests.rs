@@ -16,10 +16,10 @@ fn a_bat_moves_by_the_printed_equations() {
         let mut run = run("sphere-2", &[("population", 9.0.into()), ("pull", pull.into()), ("r0", r0), ("v_max", v_max)], 3);
         let mut seen = std::collections::BTreeMap::new();
         for t in 1..=20 {
-            let quiet: Vec<_> = (0..9).map(|i| told(&mut run, i)).collect();
+            let quiet: Vec<_> = (0..9).map(|i| inspection(&mut run, i)).collect();
             run.step(1);
             for (index, before) in quiet.iter().enumerate() {
-                let after = told(&mut run, index);
+                let after = inspection(&mut run, index);
                 let of = |name: &str| after.values.iter().find(|v| v.label.name == name).unwrap().value;
                 let walked = after.event == "walk";
                 let v = of("v_before") + sign * (of("x_before") - of("g")) * of("f");
@@ -41,7 +41,7 @@ fn a_bat_moves_by_the_printed_equations() {
     }
 }
 
-fn told(run: &mut Run, index: usize) -> Inspection {
+fn inspection(run: &mut Run, index: usize) -> Inspection {
     run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 

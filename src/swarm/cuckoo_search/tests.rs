@@ -8,7 +8,7 @@ fn run(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
     Run::new(standard(), Setup { planner: "cuckoo-search".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
-fn told(run: &mut Run, index: usize) -> Inspection {
+fn inspection(run: &mut Run, index: usize) -> Inspection {
     run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 
@@ -25,8 +25,8 @@ fn a_nest_moves_by_the_equations() {
     for _ in 0..30 {
         run.step(1);
         for index in 0..9 {
-            let told = told(&mut run, index);
-            let of = |name: &str| told.values.iter().find(|v| v.label.name == name).unwrap().value;
+            let inspection = inspection(&mut run, index);
+            let of = |name: &str| inspection.values.iter().find(|v| v.label.name == name).unwrap().value;
             assert_eq!(of("sigma"), sigma);
             close(of("s"), of("u") / crate::math::pow(of("v").abs(), 1.0 / 1.5));
             let candidate = of("x_before") + 0.5 * of("s") * (of("x_before") - of("g")) * of("epsilon");
@@ -59,7 +59,7 @@ fn nothing_is_rebuilt_where_nothing_is_abandoned() {
     assert_eq!(run.best().unwrap().cost, before, "neither a flight of length 0 nor a walk leads away");
     let mut run = self::run("matyas", &[("population", 12.0.into()), ("p_a", 1.0.into())], 1);
     run.step(1);
-    assert!(told(&mut run, 3).rows.iter().all(|row| row[4] == 1.0));
+    assert!(inspection(&mut run, 3).rows.iter().all(|row| row[4] == 1.0));
 }
 
 /// [Yang and Deb 2009] has no figures to compare with; 60,000 evaluations are enough for a bowl.

@@ -106,35 +106,35 @@ impl Quantum {
                 ),
             ),
         };
-        let mut told = sheet(meaning, item, event, summary, n);
-        told.columns = COLUMNS.to_vec();
-        told.rows = leaps
+        let mut inspection = sheet(meaning, item, event, summary, n);
+        inspection.columns = COLUMNS.to_vec();
+        inspection.rows = leaps
             .iter()
             .enumerate()
             .map(|(j, leap)| vec![x[j], leap.phi, attractor[j], after.m[j], after.gs[j], leap.u, leap.sign, leap.to])
             .collect();
-        told.formulas = vec!["leap", "attractor", "phi"];
+        inspection.formulas = vec!["leap", "attractor", "phi"];
         let Leap { r: [r1, r2], phi, u, sign, to } = leaps[0];
         // It has no velocity that it could do without.
-        told.suppositions = SUPPOSITIONS[1..].to_vec();
+        inspection.suppositions = SUPPOSITIONS[1..].to_vec();
         let [c1, c2] = after.c;
-        quantities(&mut told, &LEAPT, &[after.width, c1, c2, r1, r2, phi, p[0], now.g[0], attractor[0], after.m[0], u, sign, x[0]]);
-        quantities(&mut told, &LANDED, &[to]);
+        quantities(&mut inspection, &LEAPT, &[after.width, c1, c2, r1, r2, phi, p[0], now.g[0], attractor[0], after.m[0], u, sign, x[0]]);
+        quantities(&mut inspection, &LANDED, &[to]);
         if self.adaptive.is_some() {
-            told.formulas.extend(["ip", "gs"]);
+            inspection.formulas.extend(["ip", "gs"]);
             let sigma = |rows| deviation(column(rows, n, 0));
             let numbers = [after.ip[i], now.g_cost, now.p_cost[i], after.gs[0], sigma(&now.p), sigma(&now.x)];
-            quantities(&mut told, &EVOLVED, &numbers);
+            quantities(&mut inspection, &EVOLVED, &numbers);
         }
-        quantities(&mut told, &COSTS, &[now.cost[i], next.cost[i], next.p_cost[i]]);
-        told.marks = vec![
+        quantities(&mut inspection, &COSTS, &[now.cost[i], next.cost[i], next.p_cost[i]]);
+        inspection.marks = vec![
             mark(meaning, layers::BEFORE.key, x),
             mark(meaning, layers::MEAN_BEST.key, &after.m),
             mark(meaning, layers::ATTRACTORS.key, attractor),
             arrows(meaning, layers::JUMP.key, x, &landed),
             mark(meaning, layers::AFTER.key, &next.x[row]),
         ];
-        Some(told)
+        Some(inspection)
     }
 }
 
@@ -149,7 +149,7 @@ mod tests {
         shipped, standard,
     };
 
-    /// Every particle of several iterations: the numbers told give the leap, and the leap (or the exchange) ends where
+    /// Every particle of several iterations: the numbers shown give the leap, and the leap (or the exchange) ends where
     /// the particle is drawn. Both events come up.
     #[test]
     fn the_explanation_ends_where_the_particle_is() {
@@ -164,13 +164,13 @@ mod tests {
             let drawn: Vec<Vec<_>> =
                 frame.spans().filter(|s| s.layer == layers::PARTICLES.key).map(|s| frame.points(s).collect()).collect();
             for (index, path) in drawn.iter().enumerate() {
-                let told = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
-                *seen.entry(told.event).or_insert(0) += 1;
-                let of = |name| told.values.iter().find(|v| v.label.name == name).unwrap().value;
+                let inspection = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
+                *seen.entry(inspection.event).or_insert(0) += 1;
+                let of = |name| inspection.values.iter().find(|v| v.label.name == name).unwrap().value;
                 let to =
                     of("attractor") + of("sign") * of("alpha") * of("gs") * (of("m") - of("x_before")).abs() * -crate::math::ln(of("u"));
                 assert!((of("x") - to).abs() < 1e-12 || of("x") == 0.0 || of("x") > 1.57, "{} {to}", of("x"));
-                let after = &told.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices;
+                let after = &inspection.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices;
                 for (a, b) in after.iter().zip(path) {
                     assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
                 }

@@ -10,9 +10,9 @@ use super::{Bat, Bats, LastMove, Local, Range};
 
 impl Bats {
     /// Adds it to a tour’s explanation.
-    pub(super) fn tell(&self, i: usize, told: &mut Inspection) {
+    pub(super) fn tell(&self, i: usize, inspection: &mut Inspection) {
         let Bat { loudness, pulse_rate, last_move, .. } = &self.swarm[i];
-        told.title = message!("tour-bat", "Bat {i}", i = i + 1);
+        inspection.title = message!("tour-bat", "Bat {i}", i = i + 1);
         let LastMove { tries, hamming, .. } = *last_move;
         let (event, range) = match last_move.range {
             Range::None => ("start", random_start()),
@@ -64,8 +64,8 @@ impl Bats {
                 )
             }
         };
-        told.event = if last_move.local == Local::Taken { "insertion" } else { event };
-        told.summary = range.then(helped).then(gained).then(local);
+        inspection.event = if last_move.local == Local::Taken { "insertion" } else { event };
+        inspection.summary = range.then(helped).then(gained).then(local);
         let values = [
             quantity(label!("tour-different-before", "hamming", "HD", "places that differed before"), hamming as f64),
             quantity(label!("tour-tries", "tries", "v", "tries"), tries as f64),
@@ -75,8 +75,8 @@ impl Bats {
             quantity(label!("tour-loudness", "loudness", "A", "loudness"), *loudness),
             quantity(label!("tour-pulse-rate", "pulse_rate", "r", "pulse rate"), *pulse_rate),
         ];
-        told.values.extend(values.into_iter().flatten());
-        told.formulas = match last_move.range {
+        inspection.values.extend(values.into_iter().flatten());
+        inspection.formulas = match last_move.range {
             Range::None => vec!["length"],
             _ => vec!["tries", "loudness", "pulse", "length"],
         };

@@ -55,13 +55,13 @@ fn names_that_are_not_utf8_are_printed() {
     let output =
         command(&["experiment", "--json"]).arg(bad(b"a\xff.toml")).args(["--out", "x\u{9b}31m.csv"]).current_dir(&folder).output().unwrap();
     assert!(text(&output.stdout).contains(r"x\u009b31m.csv"), "{}", text(&output.stdout));
-    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(told["rows"], "x\u{9b}31m.csv");
+    let printed: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(printed["rows"], "x\u{9b}31m.csv");
     for shard in [&["--shard", "1/2"] as &[&str], &[]] {
         let output = command(&["experiment", "--json"]).arg(bad(b"a\xff.toml")).args(shard).current_dir(&folder).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        assert!(told.is_object());
+        let printed: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(printed.is_object());
     }
 }
 

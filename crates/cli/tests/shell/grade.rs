@@ -33,8 +33,8 @@ fn each_link_gets_a_row_with_whose_it_is_and_what_is_wrong() {
     // What the page adds has commas, too.
     let seen = format!("{good}&page.camera=5,4,2&page.layers=best,-particles");
     let links = format!("# Group 2\n\n\"Lovelace, Ada\";\"{seen}\";4 July\nBo:\t{other}\n{elsewhere}\n\"Cy\";no link at all\n");
-    let (code, rows, told) = graded(&folder, &links, TASK);
-    assert_eq!(code, Some(1), "{told}");
+    let (code, rows, stderr) = graded(&folder, &links, TASK);
+    assert_eq!(code, Some(1), "{stderr}");
     let header: Vec<_> = rows[0].iter().take(6).collect();
     assert_eq!(header, ["reached", "evaluations", "verified", "reason", "line", "name"]);
     let row = |k: usize| -> Vec<&str> { [0, 2, 4, 5, 6, 7].map(|column| &rows[k][column]).to_vec() };
@@ -47,7 +47,7 @@ fn each_link_gets_a_row_with_whose_it_is_and_what_is_wrong() {
     assert_eq!(row(4)[..3], ["false", "false", "6"]);
     assert!(rows[4][3].contains("link"), "{}", &rows[4][3]);
     assert_eq!(rows.len(), 5);
-    assert!(told.contains("1 of 4"), "{told}");
+    assert!(stderr.contains("1 of 4"), "{stderr}");
 
     let (code, rows, _) = graded(&folder, &format!("{good}\n"), TASK);
     assert_eq!((code, rows.len()), (Some(0), 2));
@@ -63,9 +63,9 @@ fn what_cannot_be_graded_is_refused() {
         ("x\n", r#"{"goal": {"gap": 0.1}, "planner": "pso", "params": {"w_max": 0.1}}"#, "w_max"),
         ("x\n", r#"{"goal": {"gap": 0.1}, "scene": "wcpso-disc"}"#, "wcpso-discs"),
     ] {
-        let (code, rows, told) = graded(&folder, links, task);
-        assert_eq!((code, rows.len()), (Some(2), 0), "{told}");
-        assert!(told.contains(said), "{told}");
+        let (code, rows, stderr) = graded(&folder, links, task);
+        assert_eq!((code, rows.len()), (Some(2), 0), "{stderr}");
+        assert!(stderr.contains(said), "{stderr}");
     }
     let missing = forage(&["grade", "nowhere.txt", "--task", "nowhere.json"]);
     assert_eq!(missing.status.code(), Some(2));

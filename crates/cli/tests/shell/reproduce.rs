@@ -137,18 +137,18 @@ fn ants_on_the_thirty_cells_are_printed_drawn_and_repeatable() {
     let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
     assert_eq!((read("antbat-paths-runs.csv"), read("antbat-paths-convergence.csv")), (rows.clone(), curves.clone()));
 
-    // What is told follows from the rows.
+    // The tables follow from the rows.
     let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
-    let told = row(&report[0]["tables"][0], "aco-direction", "length");
+    let found = row(&report[0]["tables"][0], "aco-direction", "length");
     let lengths: Vec<f64> = rows
         .lines()
         .filter(|line| line.starts_with("aco-direction,"))
         .map(|line| line.split(',').nth(4).unwrap().parse().unwrap())
         .collect();
-    assert!((told["mean"].as_f64().unwrap() - lengths.iter().sum::<f64>() / 3.0).abs() < 1e-12);
-    assert_eq!((told["published"].as_f64(), told["exact"].as_f64().map(|exact| exact > 42.0416)), (Some(42.06), Some(true)));
+    assert!((found["mean"].as_f64().unwrap() - lengths.iter().sum::<f64>() / 3.0).abs() < 1e-12);
+    assert_eq!((found["published"].as_f64(), found["exact"].as_f64().map(|exact| exact > 42.0416)), (Some(42.06), Some(true)));
     let last: Vec<f64> = curves.lines().last().unwrap().split(',').map(|number| number.parse().unwrap()).collect();
-    assert!((last[3] - told["mean"].as_f64().unwrap()).abs() < 1e-9, "the curve ends at the mean");
+    assert!((last[3] - found["mean"].as_f64().unwrap()).abs() < 1e-9, "the curve ends at the mean");
 
     // And the command that is named gives the row of seed 1 again.
     let command = printed.lines().find(|line| line.contains("forage run aco-dijkstra")).unwrap();
@@ -228,15 +228,15 @@ fn tours_of_twelve_stops_stand_beside_all_five_published_rows() {
     let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
     assert_eq!(names.map(read), files);
 
-    // What is told follows from the rows.
+    // The tables follow from the rows.
     let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
     let tables = report[0]["tables"].as_array().unwrap();
-    let told = &tables[0]["rows"][0];
+    let found = &tables[0]["rows"][0];
     let lengths: Vec<f64> =
         rows.lines().filter(|line| line.starts_with("ants,bat,")).map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect();
     let [a, b] = lengths[..] else { panic!("{lengths:?}") };
-    assert!((told["mean"].as_f64().unwrap() - f64::midpoint(a, b)).abs() < 1e-12);
-    assert!((told["variance"].as_f64().unwrap() - (a - b) * (a - b) / 2.0).abs() < 1e-12, "with n − 1");
+    assert!((found["mean"].as_f64().unwrap() - f64::midpoint(a, b)).abs() < 1e-12);
+    assert!((found["variance"].as_f64().unwrap() - (a - b) * (a - b) / 2.0).abs() < 1e-12, "with n − 1");
     for table in tables {
         let exact = table["rows"].as_array().unwrap().iter().find(|row| row["planner"] == "held-karp").unwrap();
         assert_eq!(exact["best order"], "2 of 2", "{table}");
@@ -272,8 +272,8 @@ fn the_time_of_tours_is_measured_and_drawn_over_the_number_of_stops() {
     assert_eq!(computed(&read("antbat-time-runs.csv")), computed(&rows));
     let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
     assert!(report[0]["notes"].as_array().unwrap().iter().any(|note| note.as_str().unwrap().contains("SIDE BY SIDE")));
-    let told = &report[0]["tables"][0]["rows"][0];
-    assert_eq!((told["method"].as_str(), told["stops"].as_f64(), told["roads"].as_f64()), (Some("bat"), Some(5.0), Some(10.0)));
+    let found = &report[0]["tables"][0]["rows"][0];
+    assert_eq!((found["method"].as_str(), found["stops"].as_f64(), found["roads"].as_f64()), (Some("bat"), Some(5.0), Some(10.0)));
 
     // The scenes are written, so that the commands that are named work.
     let again: Value = serde_json::from_slice(&forage(&command(&printed, "ant-bat-30-10-stops.json")).stdout).unwrap();
@@ -302,17 +302,17 @@ fn trees_with_and_without_a_cuboid_are_told_with_every_seed_that_failed() {
     let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
     assert_eq!(without_times(&read("runs")), without_times(&rows));
 
-    // What is told follows from the rows, and no path is shorter than the optimum.
+    // The tables follow from the rows, and no path is shorter than the optimum.
     let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
     let heading: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
     let column = |name: &str| heading.iter().position(|column| *column == name).unwrap();
     let guided: Vec<Vec<&str>> =
         rows.lines().filter(|line| line.starts_with("arm-cuboid,rrt-guided,0.03,")).map(|line| line.split(',').collect()).collect();
     let number = |row: &[&str], name: &str| row[column(name)].parse::<f64>().unwrap();
-    let told = report[0]["tables"][0]["rows"].as_array().unwrap().iter().find(|row| row["planner"] == "rrt-guided").unwrap();
+    let found = report[0]["tables"][0]["rows"].as_array().unwrap().iter().find(|row| row["planner"] == "rrt-guided").unwrap();
     let nodes = guided.iter().map(|row| number(row, "nodes")).sum::<f64>() / 2.0;
-    assert_eq!((told["found"].as_str(), told["nodes, mean"].as_f64()), (Some("2 of 2"), Some(nodes)));
-    assert!(told["over exact %"].as_f64().unwrap() > 0.0);
+    assert_eq!((found["found"].as_str(), found["nodes, mean"].as_f64()), (Some("2 of 2"), Some(nodes)));
+    assert!(found["over exact %"].as_f64().unwrap() > 0.0);
 
     // And the command that is named gives the row of seed 1 again.
     let again: Value = serde_json::from_slice(&forage(&command(&printed, "forage run rrt-guided --scene arm-cuboid")).stdout).unwrap();

@@ -35,9 +35,9 @@ fn a_preset_sets_what_its_page_says_and_set_overrides_it() {
         [("wpso", "fited", "`fited` is not a preset of wpso; did you mean `fitted`?"), ("a-star", "paper", "has no presets")]
     {
         let output = forage(&["run", planner, "--scene", "matyas", "--preset", name]);
-        let told = String::from_utf8(output.stderr).unwrap();
+        let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2));
-        assert!(told.contains(expected), "{told}");
+        assert!(stderr.contains(expected), "{stderr}");
     }
 }
 

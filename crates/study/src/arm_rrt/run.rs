@@ -86,7 +86,7 @@ struct Tree {
 }
 
 /// Grows a tree, nothing else: no keyframes, no finishing, no arm. `None` if it was stopped.
-#[expect(clippy::disallowed_types, reason = "how long it takes is told beside the results; no planner sees it")]
+#[expect(clippy::disallowed_types, reason = "how long it takes is printed with the results; no planner sees it")]
 fn grow(setup: &Setup, stop: &AtomicBool) -> Result<Option<Tree>, Error> {
     let mut raw = setup.clone();
     for part in ["shorten", "polyline", "smooth"] {

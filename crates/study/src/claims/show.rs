@@ -26,7 +26,7 @@ six maps of each generator with five seeds each. Planners have the populations a
 A claim is **upheld** if all answers are as claimed, **refuted** if all are contrary or trivial (of a claim that says \"all\", \"best\" or \"never\" one contrary answer is enough), otherwise **undecided**. \
 Layouts that a paper does not print are reconstructions, so an answer is one about our reading of the paper.";
 
-/// Planners as they are told apart in a line: the parameters that all have come last.
+/// Planners as a line names them: the parameters that all have come last.
 fn planners(part: &Answered) -> String {
     let mut part = part.clone();
     for arm in &mut part.arms {
@@ -89,7 +89,7 @@ pub fn markdown(claims: &[Judged]) -> String {
 pub fn text(claims: &[Judged], say: Say<'_>) -> String {
     let mut text = String::new();
     for claim in claims {
-        let told = message!(
+        let said = message!(
             "study-claim",
             "{id}: {says}: {mark}. {because}",
             id = claim.id,
@@ -97,7 +97,7 @@ pub fn text(claims: &[Judged], say: Say<'_>) -> String {
             mark = say(claim.mark.name()),
             because = say(&claim.because)
         );
-        let _ = write!(text, "{told}\n{}\n", table(claim).text(say));
+        let _ = write!(text, "{said}\n{}\n", table(claim).text(say));
     }
     text
 }

@@ -165,7 +165,7 @@ fn remember(disk: &mut Disk, call: &Call, path: &Path) {
 
 const FAULTS: [Fault; 5] = [Fault::Fail, Fault::Denied, Fault::Short, Fault::Kill, Fault::PowerLoss];
 
-/// What a program does in a folder; told how much of it is done.
+/// What a program does in a folder; it reports how much of it is done.
 pub(crate) type Program<'a> = &'a dyn Fn(&Path, &(dyn Fn(u64) + Sync)) -> Result<(), Failure>;
 
 /// The files of a folder with their bytes, but for what is kept of damaged ones and beside others.
@@ -203,16 +203,16 @@ pub(crate) fn meets_every_fault(prepare: &dyn Fn(&Path), program: Program, rows:
     for fault in FAULTS {
         for at in 1..=calls {
             let folder = fresh();
-            let told = AtomicU64::new(0);
+            let reported = AtomicU64::new(0);
             begin(Some((at, fault)));
             let outcome = program(folder.path(), &|done| {
-                told.fetch_max(done, Ordering::Relaxed);
+                reported.fetch_max(done, Ordering::Relaxed);
             });
             end();
             // What nothing can be written beside is written as it is.
             assert!(outcome.is_err() || fault == Fault::Denied, "{fault:?} at call {at} is not said");
             if fault != Fault::PowerLoss {
-                assert!(rows(folder.path()) >= told.load(Ordering::Relaxed), "{fault:?} at call {at}: what was done is gone");
+                assert!(rows(folder.path()) >= reported.load(Ordering::Relaxed), "{fault:?} at call {at}: what was done is gone");
             }
             program(folder.path(), &|_| {}).unwrap_or_else(|problem| panic!("{fault:?} at call {at}: {problem}"));
             assert!(files(folder.path()) == expected, "{fault:?} at call {at}: {}", shown(folder.path()));

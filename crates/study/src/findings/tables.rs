@@ -35,7 +35,7 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
             continue;
         }
         let fitting = samples(mean, std, &minima);
-        let told = |sample: &Sample| {
+        let shown = |sample: &Sample| {
             let stuck = sample.stuck.iter().zip(&minima).filter(|(k, _)| **k > 0).map(|(k, value)| format!("{k} at {value:.6}"));
             format!("{} runs, {}", sample.runs, stuck.collect::<Vec<_>>().join(", "))
         };
@@ -46,7 +46,7 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
             if as_said { Source::Consistent } else { Source::Doubtful },
             format!(
                 "of 3 to {MOST_RUNS} runs that end at the optimum or in one of the three lowest local minima only these have both: {}; {} are said",
-                if fitting.is_empty() { "none".to_owned() } else { fitting.iter().map(told).collect::<Vec<_>>().join("; ") },
+                if fitting.is_empty() { "none".to_owned() } else { fitting.iter().map(shown).collect::<Vec<_>>().join("; ") },
                 wcpso::RUNS
             ),
         )

@@ -82,15 +82,15 @@ pub(crate) fn figures(report: &Report) -> String {
     for some in marked(&report.figures).chunk_by(|(a, _), (b, _)| a.table == b.table) {
         text += &table(some).markdown();
         text += "\nWhy, and the command that repeats the row’s first run (the others: other seeds):\n\n";
-        let mut told: Vec<(String, String, &str)> = Vec::new();
+        let mut rows: Vec<(String, String, &str)> = Vec::new();
         for (figure, marks) in some {
             let because = reasons(figure, marks);
-            match told.last_mut().filter(|(row, _, command)| *row == figure.row && *command == figure.command) {
-                Some((_, reasons, _)) => reasons.extend(["; ", &because]),
-                None => told.push((figure.row.clone(), because, &figure.command)),
+            match rows.last_mut().filter(|(row, _, command)| *row == figure.row && *command == figure.command) {
+                Some((_, all, _)) => all.extend(["; ", &because]),
+                None => rows.push((figure.row.clone(), because, &figure.command)),
             }
         }
-        for (row, because, command) in told {
+        for (row, because, command) in rows {
             let _ = writeln!(text, "- {row}: {because}. `{command}`");
         }
         text += "\n";

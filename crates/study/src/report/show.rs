@@ -40,10 +40,10 @@ impl Report {
     }
 
     fn heading(&self) -> String {
-        in_english(|| self.told(&as_it_is).to_string())
+        in_english(|| self.message(&as_it_is).to_string())
     }
 
-    fn told(&self, say: Say<'_>) -> Message {
+    fn message(&self, say: Say<'_>) -> Message {
         let (name, title, source) = (self.name, say(self.title), say(self.source));
         if let Some(how) = &self.shortened {
             message!("study-shortened", "{name}: {title}, {source} ({how})", name, title, source, how = say(how))
@@ -54,7 +54,7 @@ impl Report {
 
     /// For a terminal; `say`: how texts in English are said.
     pub fn text(&self, say: Say<'_>) -> String {
-        let mut text = format!("{}\n\n", self.told(say));
+        let mut text = format!("{}\n\n", self.message(say));
         figures::tables(&self.figures).iter().for_each(|table| text += &(table.text(say) + "\n"));
         self.tables.iter().for_each(|table| text += &(table.text(say) + "\n"));
         text += &claims::text(&self.claims, say);

@@ -54,7 +54,7 @@ const BLOCK: usize = 1 << 16;
 const LONGEST_LINE: u64 = 1 << 20;
 
 /// So many bytes of memory each run takes: where its row stands, and what the statistics need of it.
-pub const BYTES_PER_RUN: usize = size_of::<Where>() + size_of::<Told>();
+pub const BYTES_PER_RUN: usize = size_of::<Where>() + size_of::<Compact>();
 
 /// The rows of a sweep, or of a part of it.
 #[derive(Debug)]
@@ -69,7 +69,7 @@ pub struct Kept<'a> {
     /// Where what is ours ends in the file.
     end: u64,
     rows: Vec<Where>,
-    told: Vec<Told>,
+    statistics: Vec<Compact>,
     count: usize,
     /// Whether lines of the file were left out.
     damaged: bool,
@@ -98,9 +98,9 @@ impl<'a> Kept<'a> {
         let (file, note) = Handle::open_locked(path)?;
         let notes = note.iter().map(ToString::to_string).collect();
         let all = part.len(sweep.len());
-        let (rows, told) = (vec![NOWHERE; all], vec![Told::default(); all]);
+        let (rows, statistics) = (vec![NOWHERE; all], vec![Compact::default(); all]);
         let files = vec![path.to_owned()];
-        let mut kept = Self { sweep, part, format, files, file, end: 0, rows, told, count: 0, damaged: false, notes };
+        let mut kept = Self { sweep, part, format, files, file, end: 0, rows, statistics, count: 0, damaged: false, notes };
         if !fresh {
             kept.end = kept.look_through(0)?;
         } else if !kept.begins_like_rows(kept.file.file())? {
@@ -228,9 +228,9 @@ impl<'a> Kept<'a> {
         ))
     }
 
-    fn hold(&mut self, slot: usize, here: Where, told: RunStatistics) {
+    fn hold(&mut self, slot: usize, here: Where, statistics: RunStatistics) {
         self.rows[slot] = here;
-        self.told[slot] = told.into();
+        self.statistics[slot] = statistics.into();
         self.count += 1;
     }
 
@@ -288,7 +288,7 @@ impl<'a> Kept<'a> {
     /// What came of a run, if its row is there.
     pub(super) fn statistics_of(&self, job: usize) -> Option<RunStatistics> {
         let slot = self.part.find(job)?;
-        (self.rows[slot].length > 0).then(|| self.told[slot].into())
+        (self.rows[slot].length > 0).then(|| self.statistics[slot].into())
     }
 
     /// That not all was carried out.
@@ -405,8 +405,8 @@ impl<'a> Kept<'a> {
             let rows: Vec<Where> = slots.iter().map(|&slot| self.rows[slot]).collect();
             for (&slot, line) in slots.iter().zip(&self.block(&rows)?) {
                 // Nothing takes the place of the file that is not the row it should be.
-                let told = self.format.read(self.sweep, line).ok().filter(|_| line.ends_with(b"\n"));
-                if told.is_none_or(|(job, _)| job != self.part.job(slot)) {
+                let statistics = self.format.read(self.sweep, line).ok().filter(|_| line.ends_with(b"\n"));
+                if statistics.is_none_or(|(job, _)| job != self.part.job(slot)) {
                     return Err(self.disturbed());
                 }
                 out.write_all(line).map_err(at(&new))?;
@@ -438,7 +438,7 @@ impl<'a> Kept<'a> {
 
 /// What the statistics need of a run, in as little memory as they can.
 #[derive(Debug, Clone, Copy, Default)]
-struct Told {
+struct Compact {
     /// NaN: there is none.
     value: f64,
     /// NaN: it was not.
@@ -450,17 +450,17 @@ struct Told {
     deterministic: bool,
 }
 
-impl From<RunStatistics> for Told {
-    fn from(told: RunStatistics) -> Self {
-        let RunStatistics { value, reached, evaluations, measured, zero, by, deterministic } = told;
+impl From<RunStatistics> for Compact {
+    fn from(statistics: RunStatistics) -> Self {
+        let RunStatistics { value, reached, evaluations, measured, zero, by, deterministic } = statistics;
         let [value, reached] = [value, reached].map(|number| number.unwrap_or(f64::NAN));
         Self { value, reached, evaluations, measured, zero, by, deterministic }
     }
 }
 
-impl From<Told> for RunStatistics {
-    fn from(told: Told) -> Self {
-        let Told { value, reached, evaluations, measured, zero, by, deterministic } = told;
+impl From<Compact> for RunStatistics {
+    fn from(statistics: Compact) -> Self {
+        let Compact { value, reached, evaluations, measured, zero, by, deterministic } = statistics;
         let [value, reached] = [value, reached].map(|number| Some(number).filter(|number| !number.is_nan()));
         Self { value, reached, evaluations, measured, zero, by, deterministic }
     }

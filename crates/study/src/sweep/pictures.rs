@@ -18,7 +18,7 @@ use super::{
     summary::{MOST_PAIRED, SweepStatistics},
 };
 
-/// More curves than these cannot be told apart.
+/// More curves than these look alike.
 const MOST_DRAWN: usize = MOST_PAIRED;
 
 /// The pictures: names, and what they show.
@@ -57,7 +57,7 @@ pub fn draw(kept: &Kept, summary: &SweepStatistics, report: &Path) -> Result<Str
         // Where there is no optimum nothing can be near it.
         let measured = |scene: &usize| summary.scenes[*scene].groups.iter().any(|group| group.exact_by.is_some());
         let cells = (0..sweep.scenes.len()).filter(measured).flat_map(|scene| (0..sweep.seeds()).map(move |seed| (scene, seed)));
-        let hit = |scene, seed, group| kept.statistics_of(sweep.cell_of(scene, group) * sweep.seeds() + seed).and_then(|told| told.reached);
+        let hit = |scene, seed, group| kept.statistics_of(sweep.cell_of(scene, group) * sweep.seeds() + seed).and_then(|run| run.reached);
         let costs: Vec<Vec<Option<f64>>> =
             cells.map(|(scene, seed)| (0..sweep.groups()).map(|group| hit(scene, seed, group)).collect()).collect();
         let times = Ranking { planners: names, costs };

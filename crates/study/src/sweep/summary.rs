@@ -105,13 +105,13 @@ impl SweepStatistics {
     pub fn of(kept: &Kept) -> Self {
         let sweep = kept.sweep();
         let groups: Vec<usize> = (0..sweep.groups()).collect();
-        let told = |scene: usize, group: usize| -> Vec<RunStatistics> {
+        let statistics = |scene: usize, group: usize| -> Vec<RunStatistics> {
             let first = sweep.cell_of(scene, group) * sweep.seeds();
             (first..first + sweep.seeds()).filter_map(|job| kept.statistics_of(job)).collect()
         };
         let scenes = (0..sweep.scenes.len()).map(|scene| {
             let found =
-                SceneStatistics::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect());
+                SceneStatistics::of(&sweep.registry, groups.iter().map(|&group| (sweep.group(group), statistics(scene, group))).collect());
             SceneStatistics {
                 scene: sweep.scenes[scene].name().to_owned(),
                 budget: sweep.allowances[scene],
@@ -125,8 +125,9 @@ impl SweepStatistics {
         let friedman = (2..=MOST_RANKED).contains(&groups.len()).then(|| {
             let mut blocks = Vec::with_capacity(sweep.scenes.len() * sweep.seeds());
             for scene in 0..sweep.scenes.len() {
-                let of_scene: Vec<Vec<RunStatistics>> = groups.iter().map(|&group| told(scene, group)).collect();
-                let values: Vec<Vec<Option<f64>>> = of_scene.iter().map(|told| told.iter().map(|told| told.value).collect()).collect();
+                let of_scene: Vec<Vec<RunStatistics>> = groups.iter().map(|&group| statistics(scene, group)).collect();
+                let values: Vec<Vec<Option<f64>>> =
+                    of_scene.iter().map(|statistics| statistics.iter().map(|statistics| statistics.value).collect()).collect();
                 let ranked = comparable(values.iter().map(|values| &values[..]));
                 let block = |k: usize| ranked.iter().map(|values| values[k]).collect();
                 blocks.extend((0..sweep.seeds()).map(block));
@@ -270,26 +271,26 @@ impl SweepStatistics {
 }
 
 impl SceneStatistics {
-    fn of(registry: &Registry, told: Vec<((&str, Pairs), Vec<RunStatistics>)>) -> Self {
-        let mut groups = Vec::with_capacity(told.len());
-        let mut reached = Vec::with_capacity(told.len());
+    fn of(registry: &Registry, groups_of_runs: Vec<((&str, Pairs), Vec<RunStatistics>)>) -> Self {
+        let mut groups = Vec::with_capacity(groups_of_runs.len());
+        let mut reached = Vec::with_capacity(groups_of_runs.len());
         let mut by_difference = false;
-        let (_, common) = told.first().map_or(("", Vec::new()), |(group, _)| group.clone());
-        let common: Vec<_> = common.into_iter().filter(|pair| told.iter().all(|((_, set), _)| set.contains(pair))).collect();
-        for ((planner, parameters), runs) in told {
+        let (_, common) = groups_of_runs.first().map_or(("", Vec::new()), |(group, _)| group.clone());
+        let common: Vec<_> = common.into_iter().filter(|pair| groups_of_runs.iter().all(|((_, set), _)| set.contains(pair))).collect();
+        for ((planner, parameters), runs) in groups_of_runs {
             // Parameters that all groups share are left out of their names.
             let set = parameters.iter().filter(|pair| !common.contains(pair));
             let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
             let parameters: Overrides = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
-            let near = runs.iter().filter(|told| told.reached.is_some()).count();
-            let measured = runs.iter().find(|told| told.measured);
-            by_difference |= runs.iter().any(|told| told.zero);
-            let draws_lots = runs.len() < 2 || runs.iter().any(|told| !told.deterministic);
-            let times: Vec<Attempt> = runs.iter().map(|told| Attempt { hit: told.reached, spent: told.evaluations }).collect();
-            let spent = forage::statistics::Summary::of(runs.iter().map(|told| told.evaluations));
+            let near = runs.iter().filter(|run| run.reached.is_some()).count();
+            let measured = runs.iter().find(|run| run.measured);
+            by_difference |= runs.iter().any(|run| run.zero);
+            let draws_lots = runs.len() < 2 || runs.iter().any(|run| !run.deterministic);
+            let times: Vec<Attempt> = runs.iter().map(|run| Attempt { hit: run.reached, spent: run.evaluations }).collect();
+            let spent = forage::statistics::Summary::of(runs.iter().map(|run| run.evaluations));
             let spent = spent.map_or([0.0; 2], |spent| [spent.median, spent.max]);
-            reached.push((planner.to_owned(), parameters, spent, draws_lots, measured.map(|told| (told.by, near, times))));
-            groups.push(Group { name, values: runs.iter().map(|told| told.value).collect(), deterministic: !draws_lots });
+            reached.push((planner.to_owned(), parameters, spent, draws_lots, measured.map(|run| (run.by, near, times))));
+            groups.push(Group { name, values: runs.iter().map(|run| run.value).collect(), deterministic: !draws_lots });
         }
         let (summaries, pairs) = if groups.len() <= MOST_PAIRED {
             let Comparison { groups, pairs, .. } = compare(&groups);

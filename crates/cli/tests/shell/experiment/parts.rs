@@ -88,9 +88,9 @@ fn a_million_runs_are_found_without_a_list() {
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         assert_eq!(sweep.find(setup.scene.name(), &setup.planner, &setup.seed.to_string(), &texts), Some(job));
     }
-    let told: Vec<String> = [0, 9_999, 10_000, 120_000, 480_000, 999_999].map(|job| sweep.describe(job)).into();
+    let described: Vec<String> = [0, 9_999, 10_000, 120_000, 480_000, 999_999].map(|job| sweep.describe(job)).into();
     assert_eq!(
-        told,
+        described,
         [
             "pso on sphere, c1=1, w=0.1, seed 5",
             "pso on sphere, c1=1, w=0.1, seed 10004",

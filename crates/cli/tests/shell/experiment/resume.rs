@@ -181,9 +181,9 @@ fn what_a_damaged_line_told_is_run_again() {
         go_on(&sweep, &mut kept).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), whole, "{name}");
         assert_eq!(fs::read_to_string(folder.join(format!("{name}.bad"))).unwrap(), lines.concat());
-        let told = kept.notes().join("; ");
-        assert!(told.contains("line 4 is damaged") && told.contains("and 1 more; missing runs are repeated"), "{told}");
-        assert!(told.contains("7 of 8 rows were there; the first that was missing is that of"), "{told}");
+        let notes = kept.notes().join("; ");
+        assert!(notes.contains("line 4 is damaged") && notes.contains("and 1 more; missing runs are repeated"), "{notes}");
+        assert!(notes.contains("7 of 8 rows were there; the first that was missing is that of"), "{notes}");
         drop(kept);
         // A second time the first copy stays.
         fs::write(&path, lines[..4].concat()).unwrap();

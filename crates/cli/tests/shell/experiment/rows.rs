@@ -138,7 +138,7 @@ fn deterministic_planners_are_not_tested_and_each_optimum_is_named() {
     let sweep = "scenes = ['wolf-ant-20']\nseeds = { from = 1, count = 3 }\n[[planner]]\nname = 'a-star'\n[[planner]]\n\
                  name = 'theta-star'\n[[planner]]\nname = 'aco'\nparams = { iterations = [5, 6] }\n";
     let folder = folder("lots", sweep);
-    let told = carry_out(&folder, &[]);
+    let stderr = carry_out(&folder, &[]);
     for part in [
         "wolf-ant-20: no tests and intervals for what is deterministic: a-star, theta-star",
         "corrected for 1 tests",
@@ -146,7 +146,7 @@ fn deterministic_planners_are_not_tested_and_each_optimum_is_named() {
         "any angle",
         "cells",
     ] {
-        assert!(told.contains(part), "{part}: {told}");
+        assert!(stderr.contains(part), "{part}: {stderr}");
     }
     let printed: Value = serde_json::from_str(&carry_out(&folder, &["--json"])).unwrap();
     let pairs = printed["scenes"][0]["pairs"].as_array().unwrap();
@@ -197,7 +197,7 @@ fn statistics_are_those_of_the_rows() {
         assert!(markdown.contains(&format!("](<report.{name}.svg>)")), "{name}");
     }
 
-    let told = carry_out(&folder, &[]);
+    let stderr = carry_out(&folder, &[]);
     let mean = printed["scenes"][1]["groups"][2]["summary"]["mean"].as_f64().unwrap();
     for part in [
         "pso w=0.8 c1=2",
@@ -208,7 +208,7 @@ fn statistics_are_those_of_the_rows() {
         "Mean ranks over 6 blocks",
         &significant(mean, 4),
     ] {
-        assert!(told.contains(part), "{part}: {told}");
+        assert!(stderr.contains(part), "{part}: {stderr}");
     }
     assert!(fs::read_to_string(report).unwrap().contains("| wcpso population=20 |"));
 }

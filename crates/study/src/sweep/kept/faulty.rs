@@ -18,12 +18,12 @@ use super::{
 const PLAN: &str =
     "scenes = ['sphere']\nseeds = [3, 1, 2]\niterations = 1\n[[planner]]\nname = 'pso'\nparams = { population = 2, w = [0.4, 0.8] }";
 
-fn carry_out(sweep: &Sweep, part: Part, path: &Path, curves: Option<&Path>, told: &(dyn Fn(u64) + Sync)) -> Result<(), Failure> {
+fn carry_out(sweep: &Sweep, part: Part, path: &Path, curves: Option<&Path>, on_done: &(dyn Fn(u64) + Sync)) -> Result<(), Failure> {
     let mut curves = curves.map(|curves| Curves::open(curves, part, false)).transpose()?;
     let mut kept = Kept::open(sweep, part, path, false)?;
     // Each run is as much work as every other one.
     let each = sweep.work(part) / kept.counts().1 as u64;
-    let progress = |done: u64, _| told(done / each);
+    let progress = |done: u64, _| on_done(done / each);
     let control = Control { stop: &AtomicBool::new(false), progress: &progress };
     super::super::carry_out(sweep, &mut kept, curves.as_mut(), Some(1), None, &control)
 }
@@ -36,7 +36,7 @@ fn lines(path: &Path) -> u64 {
 #[test]
 fn a_sweep_on_a_faulty_disk_loses_nothing() {
     let ours = sweep(PLAN);
-    meets_every_fault(&|_| {}, &|folder, told| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), None, told), &|folder| {
+    meets_every_fault(&|_| {}, &|folder, on_done| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), None, on_done), &|folder| {
         lines(&folder.join("rows.csv"))
     });
 }
@@ -77,13 +77,13 @@ fn damaged_rows_are_mended_on_a_faulty_disk() {
     let damaged = lines_of.concat();
     meets_every_fault(
         &|folder| fs::write(folder.join("rows.csv"), &damaged).unwrap(),
-        &|folder, told| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), None, told),
+        &|folder, on_done| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), None, on_done),
         &|folder| lines(&folder.join("rows.csv")),
     );
     // Rows are compared and added by turns.
     meets_every_fault(
         &|folder| fs::write(folder.join("rows.csv"), &damaged).unwrap(),
-        &|folder, told| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), Some(&folder.join("curves.csv")), told),
+        &|folder, on_done| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), Some(&folder.join("curves.csv")), on_done),
         &|folder| lines(&folder.join("rows.csv")).min(lines(&folder.join("curves.csv.runs.csv"))),
     );
 }
@@ -110,7 +110,7 @@ fn curves_are_kept_on_a_faulty_disk() {
     let ours = sweep(PLAN);
     meets_every_fault(
         &|_| {},
-        &|folder, told| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), Some(&folder.join("curves.csv")), told),
+        &|folder, on_done| carry_out(&ours, Part::WHOLE, &folder.join("rows.csv"), Some(&folder.join("curves.csv")), on_done),
         &|folder| lines(&folder.join("rows.csv")).min(lines(&folder.join("curves.csv.runs.csv"))),
     );
 }

@@ -9,7 +9,7 @@ use forage::kernel::Message;
 #[derive(Debug)]
 pub(super) enum Handle {
     Writable(Out),
-    /// A file that may not be written, and what the system says of it: where nothing is missing its statistics can be told.
+    /// A file that may not be written, and what the system says of it: where nothing is missing its statistics can be printed.
     ReadOnly(File, io::ErrorKind),
 }
 

@@ -124,7 +124,7 @@ impl Kept<'_> {
                 }
             } else {
                 match self.format.read(self.sweep, &line) {
-                    Ok((job, told)) => {
+                    Ok((job, statistics)) => {
                         let slot = self.part.find(job).ok_or_else(|| {
                             let (run, part) = (self.sweep.describe(job), self.part.to_string());
                             let problem =
@@ -137,7 +137,7 @@ impl Kept<'_> {
                         }
                         last = Some(slot);
                         if self.rows[slot].length == 0 {
-                            self.hold(slot, here, told);
+                            self.hold(slot, here, statistics);
                         } else {
                             let before = self.rows[slot];
                             let same = self.bytes(before)? == line;
