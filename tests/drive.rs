@@ -9,7 +9,7 @@ use forage::{
     follow::drive::{COLUMNS, Drive, DriveOutcome, RESOLUTION, SPEED, parameters, simulate},
     geometry::{self, Oriented, YAxis},
     math,
-    scene::{GridScene, Robot},
+    scene::{GridScene, LARGEST, Robot, SMALLEST_CELL},
     shipped, standard,
 };
 use proptest::prelude::*;
@@ -198,7 +198,7 @@ fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
     assert_eq!(drive.parameters()[SPEED], 0.24);
     assert_eq!(drive.extra(), [("outline", Extra::Named(vec![("length", 0.4), ("width", 0.3)]))]);
     for (name, value, allowed) in [
-        ("speed", "0", "a number from 0.000000001 to 1000000000"),
+        ("speed", "0", "a number from 0.000000000000001 to 1000000000000000"),
         ("gear", "1.5", "a whole number from 1 to 10000"),
         ("period", "fast", "a number from 0.01 to 2"),
         ("turn_rate", "NaN", "a number from 0.001 to 10"),
@@ -226,6 +226,22 @@ fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
     );
     for (scene, planner) in [("wcpso-discs", "pso"), ("sphere", "pso")] {
         assert!(stepped(&shipped(scene).unwrap(), planner).follow("drive", &Overrides::new()).unwrap().is_none());
+    }
+}
+
+/// A scene's robot drives as fast as the scene says, whatever the size of its cells, and in the end it stops.
+#[test]
+fn every_speed_of_a_scene_is_driven() {
+    for cell in [SMALLEST_CELL, 1.0, LARGEST] {
+        for cells_per_second in Robot::SPEEDS {
+            let mut scene = scene(cell, &["......", "......"]);
+            let speed = cells_per_second * cell;
+            let [length, width] = [0.4, 0.3].map(|side| Some(side * cell));
+            scene.robot = Some(Robot { length, width, speed: Some(speed), ..ROBOT });
+            let driven = drive(&scene, &[[cell, cell], [5.0 * cell, cell]], &[]);
+            assert_eq!(driven.parameters[SPEED], speed);
+            assert!(driven.outcome.time.is_finite() && driven.outcome.arrived == (cells_per_second > 1.0), "{:?}", driven.outcome);
+        }
     }
 }
 

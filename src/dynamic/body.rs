@@ -226,7 +226,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::{Run, Setup, Value, params::Overrides, shipped, standard};
+    use crate::{Run, Setup, Value, params::Overrides, standard};
 
     const BODY: Body = Body { radius: 1.0, margin: 1.0, speed: 2.0, turn_time: 1.5, sensor: 9.0, look_ahead: 5.0, border: Border::Leave };
 
@@ -291,33 +291,36 @@ mod tests {
     }
 
     /// What a robot may have is the same in a scene and among the parameters: both ends are taken by both, what lies beyond by neither,
-    /// and a drive with any of it goes on.
+    /// and a drive with any of it goes on. With an outline its disc may be as large as that.
     #[test]
     fn scenes_and_parameters_take_the_same_robots() {
         const CELL: f64 = 2.0;
         let lengths = (Robot::LENGTHS, CELL);
         let fields = [
-            ("radius", ROBOT_RADIUS, ([0.0, 0.5], CELL)),
-            ("margin", MARGIN, lengths),
-            ("speed", SPEED, (Robot::SPEEDS, CELL)),
-            ("turn_time", TURN_TIME, (Robot::TIMES, 1.0)),
-            ("sensor", SENSOR, lengths),
-            ("look_ahead", LOOK_AHEAD, (Robot::TIMES, 1.0)),
+            ("radius", ROBOT_RADIUS, ([0.0, 0.5], CELL), ""),
+            ("radius", ROBOT_RADIUS, ([0.0, 1.25], CELL), r#", "length": 4, "width": 3"#),
+            ("margin", MARGIN, lengths, ""),
+            ("speed", SPEED, (Robot::SPEEDS, CELL), ""),
+            ("turn_time", TURN_TIME, (Robot::TIMES, 1.0), ""),
+            ("sensor", SENSOR, lengths, ""),
+            ("look_ahead", LOOK_AHEAD, (Robot::TIMES, 1.0), ""),
         ];
-        let ten = |start: Result<Run, Error>| start.map(|mut run| run.step(10)).map(|_| ());
-        for (field, parameter, ([least, most], unit)) in fields {
-            let in_scene = |value: f64| {
-                let text = format!(
-                    r#"{{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": {CELL}, "rows": ["......", "......"],
-                        "start": [1, 1], "goal": [11, 3], "robot": {{"{field}": {value}}},
-                        "moving": [{{"center": [9, 1], "radius": 0.5, "velocity": [-1, 0.25]}}]}}"#
-                );
-                let scene = Arc::new(standard().read_scene(&text)?);
-                ten(Run::new(standard(), Setup { planner: "a-star-drive".to_owned(), scene, params: Overrides::new(), seed: 1 }))
-            };
+        let ten = |robot: &str, params: Overrides| {
+            let text = format!(
+                r#"{{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": {CELL},
+                    "rows": ["......", "......", "......", "......"], "start": [3, 3], "goal": [9, 5], "robot": {{{robot}}},
+                    "moving": [{{"center": [9, 1], "radius": 0.5, "velocity": [-1, 0.25]}}]}}"#
+            );
+            let scene = Arc::new(standard().read_scene(&text)?);
+            let mut run = Run::new(standard(), Setup { planner: "a-star-drive".to_owned(), scene, params, seed: 1 })?;
+            run.step(10);
+            Ok::<_, Error>(())
+        };
+        for (field, parameter, ([least, most], unit), outline) in fields {
+            let in_scene = |value: f64| ten(&format!(r#""{field}": {value}{outline}"#), Overrides::new());
             let given = |value: f64| {
-                let params = [("robot", Value::Text("given".to_owned())), (parameter.name(), Value::Number(value))].into_iter().collect();
-                ten(Run::new(standard(), Setup { planner: "a-star-drive".to_owned(), scene: shipped("patrol").unwrap(), params, seed: 1 }))
+                let params = [("robot", Value::Text("given".to_owned())), (parameter.name(), Value::Number(value))];
+                ten(outline.trim_start_matches(", "), params.into_iter().collect())
             };
             for value in [least, most] {
                 assert_eq!((in_scene(value * unit), given(value)), (Ok(()), Ok(())), "{field} {value}");

@@ -23,7 +23,7 @@ pub use arm::{ID as ARM, MAX_CUBOIDS};
 pub use check::LARGEST;
 pub use discs::{DiscsScene, ID as DISCS, MAX_DISCS};
 pub use function::{Formula, Function, FunctionScene, ID as FUNCTION, MAX_DIMENSION};
-pub use grid::{CONTACT, GridScene, ID as GRID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot};
+pub use grid::{CONTACT, GridScene, ID as GRID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot, SMALLEST_CELL};
 pub use moving::{Leg, MAX_MOVING, MAX_WAYPOINTS, Motion, Moving};
 pub use tour::{FARTHEST, ID as TOUR, MAX_STOPS, TourScene};
 

@@ -32,7 +32,7 @@ use crate::{
 pub use parameters::{COLUMNS, PARAMETERS, SPEED};
 
 use motion::{Pose, Wheels};
-use parameters::{DECODER, FORMULAS, GEAR, LOOK_AHEAD, PERIOD, PULSES, TURN_RATE, WHEEL_DISTANCE, WHEEL_RADIUS};
+use parameters::{ANY, DECODER, FORMULAS, GEAR, LOOK_AHEAD, PERIOD, PULSES, TURN_RATE, WHEEL_DISTANCE, WHEEL_RADIUS};
 use pursuit::{Course, Limits, distance};
 use sweep::Sweep;
 
@@ -169,9 +169,9 @@ pub fn parameters(robot: Option<Robot>, given: &Overrides) -> Result<Parameters,
     ];
     let mut given = given.clone();
     for (param, value) in own {
-        let value = params::Value::Number(value);
-        if given.get(param.name()).is_none() && param.entry().check(&value).is_ok() {
-            given.insert(param.name(), value);
+        if given.get(param.name()).is_none() {
+            // A scene's speed is never beyond; what goes with a very large or small robot ends there.
+            given.insert(param.name(), params::Value::Number(math::clamp(value, ANY[0], ANY[1])));
         }
     }
     Parameters::new(ENTRY.parameters, GRID, &given)

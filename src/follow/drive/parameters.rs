@@ -3,7 +3,7 @@
 use crate::{
     describe::{Column, Formula},
     params::{Param, Parameter},
-    scene::Robot,
+    scene::{LARGEST, Robot, SMALLEST_CELL},
 };
 
 /// Everything that can be set. The figures are those of the paper’s robot, in metres and seconds; look-ahead excepted.
@@ -23,8 +23,8 @@ pub const PARAMETERS: &[Parameter] = &[
     GEAR.entry(),
 ];
 
-/// Any speed of a scene's robot, and lengths to go with it.
-const ANY: [f64; 2] = Robot::SPEEDS;
+/// Any speed of a scene's robot, whose cells may have any size, and lengths to go with it.
+pub(super) const ANY: [f64; 2] = [Robot::SPEEDS[0] * SMALLEST_CELL, Robot::SPEEDS[1] * LARGEST];
 
 /// How fast it drives at most.
 pub const SPEED: Param<f64> = Param::number(

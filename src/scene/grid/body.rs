@@ -26,8 +26,8 @@ pub const MAX_EXACT_CELLS: usize = 512 * 512;
 /// The largest number of stops on a grid: there is a path for each pair of them.
 pub const MAX_GRID_STOPS: usize = 200;
 
-/// The smallest side of a cell.
-const SMALLEST_CELL: f64 = 1e-6;
+/// The smallest side of a cell, in the scene's unit.
+pub const SMALLEST_CELL: f64 = 1e-6;
 
 /// The overlap of the robot and a moving obstacle, in cells, that counts as rounding.
 pub const CONTACT: f64 = 1e-9;

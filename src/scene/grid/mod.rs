@@ -5,5 +5,5 @@ mod kind;
 mod read;
 pub(crate) mod words;
 
-pub use body::{CONTACT, GridScene, ID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot};
+pub use body::{CONTACT, GridScene, ID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot, SMALLEST_CELL};
 pub use kind::KIND;
