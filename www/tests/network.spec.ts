@@ -102,3 +102,19 @@ offline('what needs a part that cannot be loaded is had when it is tried again: 
   await page.getByTestId('make').click()
   await expect(page.getByTestId('generate-dialog')).toHaveCount(0)
 })
+
+offline('a dialog that cannot be fetched is said, and the page comes back with it as it was', async ({ lab, page }) => {
+  const KEYS = /KeysDialog[^/]*\.js$/
+  await page.route(KEYS, (route) => route.abort())
+  await lab.open(linkTo({}, 0))
+  await lab.settled(0)
+  const hash = await lab.seek(7)
+  await page.keyboard.press('?')
+  await expect(page.getByTestId('unloaded')).toContainText(en.notices.unloaded('').slice(0, -3))
+  await page.unroute(KEYS)
+  await page.getByTestId('retry').click()
+  await expect(page.getByTestId('unloaded')).toHaveCount(0)
+  expect(await lab.settled(7)).toBe(hash)
+  await page.keyboard.press('?')
+  await expect(page.getByTestId('keys-dialog')).toBeVisible()
+})
