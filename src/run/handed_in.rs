@@ -26,7 +26,9 @@ fn handed(line: usize, text: &str) -> Option<Handed<'_>> {
     let parts = |c: char| c.is_whitespace() || ['"', ',', ';', '，', '；', '：'].contains(&c);
     let begin = text[..fragment].rfind(parts).map_or(0, |at| text[at..].chars().next().map_or(at, |c| at + c.len_utf8()));
     let end = text[fragment..].find(|c: char| c.is_whitespace() || c == '"').map_or(text.len(), |at| fragment + at);
-    Some(Handed { line, name: text[..begin].trim_matches(|c| parts(c) || c == ':'), link: &text[begin..end] })
+    // No link ends with a mark: that is the sentence's, or the list's.
+    let link = text[begin..end].trim_end_matches([',', ';', '.', '，', '；', '。', '、']);
+    Some(Handed { line, name: text[..begin].trim_matches(|c| parts(c) || c == ':'), link })
 }
 
 #[cfg(test)]
@@ -39,7 +41,7 @@ mod tests {
 
     #[test]
     fn names_stand_before_links_in_any_script() {
-        let text = "# who\n\nAda: https://a.org/#v=1&at=2\n\"B, C\",\"#v=1&at=3\" x\n张三\u{3000}#v=1&at=4\n李四，https://a.org/#v=1\n王五：#v=2\nnothing\n";
+        let text = "# who\n\nAda: https://a.org/#v=1&at=2\n\"B, C\",\"#v=1&at=3\" x\n张三\u{3000}#v=1&at=4\n李四，https://a.org/#v=1\n王五：#v=2。\nEve: #v=1&at=5, late\nnothing\n";
         assert_eq!(
             read(text),
             [
@@ -48,7 +50,8 @@ mod tests {
                 (5, "张三", "#v=1&at=4"),
                 (6, "李四", "https://a.org/#v=1"),
                 (7, "王五", "#v=2"),
-                (8, "", "nothing"),
+                (8, "Eve", "#v=1&at=5"),
+                (9, "", "nothing"),
             ]
         );
     }
