@@ -51,3 +51,22 @@ test('of a thread that is gone nothing is awaited', async () => {
   await vi.advanceTimersByTimeAsync(10_000)
   expect(onUnresponsive).not.toHaveBeenCalled()
 })
+
+test('what was asked before a thread was given up says nothing of the next', async () => {
+  const { answer, asked, onUnresponsive, watchdog } = thread()
+  watchdog.expect()
+  watchdog.stop()
+  watchdog.expect()
+  // The old answer comes late: the new one is awaited still.
+  answer()
+  await vi.advanceTimersByTimeAsync(3100)
+  expect([asked(), onUnresponsive.mock.calls.length]).toEqual([2, 1])
+})
+
+test('without more that is sent a thread is asked once', async () => {
+  const { answer, asked, watchdog } = thread()
+  watchdog.expect()
+  answer()
+  await vi.advanceTimersByTimeAsync(10_000)
+  expect(asked()).toBe(1)
+})

@@ -27,9 +27,9 @@ export class Reporter {
   private known = { events: 0, until: -1 }
   private curve = -1
   private repeats = false
-  private lastOutcome = 0
+  private lastOutcome = Number.NEGATIVE_INFINITY
   private outcomeCost = 0
-  private lastMembers = 0
+  private lastMembers = Number.NEGATIVE_INFINITY
   /** Of the state in which it is settled. */
   private settled: { rare: Rare; iteration: number } | null = null
 
@@ -61,7 +61,7 @@ export class Reporter {
 
   /** The members' numbers come with the next report. */
   askMembers(): void {
-    this.lastMembers = 0
+    this.lastMembers = Number.NEGATIVE_INFINITY
   }
 
   report(desired: Desired, state: Pick<Report, 'version' | 'playing' | 'arrived' | 'furthest'>): Report {
