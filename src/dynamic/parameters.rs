@@ -63,11 +63,10 @@ pub(super) const ROBOT_RADIUS: Param<f64> = given(
     "robot_radius",
     "R",
     "Robot’s radius",
-    Robot::LENGTHS,
+    [0.0, 0.5],
     0.5,
     "The robot is a disc for moving obstacles, in cells; of half a cell’s radius it touches no wall as it goes from cell to cell. The paper’s is a point, and nothing would ever be foreseen in its case.",
-)
-.slider(0.0, 0.5, false);
+);
 pub(super) const MARGIN: Param<f64> = given(
     "margin",
     "m",
