@@ -76,7 +76,7 @@ const byFamily = (planners) =>
 // ---------------------------------------------------------------- Parameters
 
 function allowed({ type, min, max, options }) {
-  const number = (x) => x.toLocaleString('en-US', { maximumFractionDigits: 12 })
+  const number = (x) => (x !== 0 && Math.abs(x) < 1e-12 ? String(x) : x.toLocaleString('en-US', { maximumFractionDigits: 12 }))
   switch (type) {
     case 'integer':
       return `integer, ${number(min)} to ${number(max)}`

@@ -1,7 +1,9 @@
 /* A client of a run whose thread does nothing by itself. */
+import { afterEach, beforeEach, vi } from 'vitest'
 import type { Host } from '../src/engine/host'
 import type { Desired, FromHost, Report, Start, ToHost } from '../src/engine/protocol'
 import { type Listeners, RunClient } from '../src/engine/run-client'
+import { language } from '../src/locales/language.svelte'
 
 /** A thread that only remembers what it was sent, and says what a test has it say. */
 class Thread {
@@ -38,9 +40,17 @@ export let threads: Thread[] = []
 export let calls: unknown[][] = []
 export let client: RunClient
 
-/** Forgets what was before. */
-export function reset(): void {
-  ;[threads, calls] = [[], []]
+/** Each test has a client of its own, and moves the time itself. */
+export function eachByItself(): void {
+  beforeEach(() => {
+    vi.useFakeTimers()
+    ;[threads, calls] = [[], []]
+  })
+  afterEach(() => {
+    client.close()
+    language.tag = 'en'
+    vi.useRealTimers()
+  })
 }
 
 export const thread = (): Thread => threads.at(-1) as Thread

@@ -1,5 +1,5 @@
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { calls, called, client, host, made, named, report, reset, running, start, thread, threads } from '../../unit/client'
+import { beforeEach, describe, expect, test, vi } from 'vitest'
+import { calls, called, client, eachByItself, host, made, named, report, running, start, thread, threads } from '../../unit/client'
 import { language } from '../locales/language.svelte'
 import { DEFAULTS, type FromHost, type Refusal } from './protocol'
 
@@ -11,16 +11,10 @@ vi.mock('./subtasks', () => ({
   },
 }))
 
+eachByItself()
 beforeEach(() => {
-  vi.useFakeTimers()
-  reset()
   runner.carryOut.mockReset()
   runner.drop.mockReset()
-})
-afterEach(() => {
-  client.close()
-  language.tag = 'en'
-  vi.useRealTimers()
 })
 
 describe('opening', () => {

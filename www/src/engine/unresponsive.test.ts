@@ -1,19 +1,10 @@
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { CODE, called, client, made, named, report, reset, running, start, thread, threads } from '../../unit/client'
-import { language } from '../locales/language.svelte'
+import { describe, expect, test, vi } from 'vitest'
+import { CODE, called, client, eachByItself, made, named, report, running, start, thread, threads } from '../../unit/client'
 import type { ToHost } from './protocol'
 import { Gone } from './run-client'
 import { UNSTOPPABLE } from './watchdog'
 
-beforeEach(() => {
-  vi.useFakeTimers()
-  reset()
-})
-afterEach(() => {
-  client.close()
-  language.tag = 'en'
-  vi.useRealTimers()
-})
+eachByItself()
 
 describe('a thread that does not receive', () => {
   test('is replaced after three seconds, by one that goes on', async () => {

@@ -1,79 +1,29 @@
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { Session, type Setup, suggest } from '../../../pkg/node.js'
+import { describe, expect, test } from 'vitest'
+import { type Setup, suggest } from '../../../pkg/node.js'
 import { extent } from '../../src/engine/host/extent'
-import { RunHost } from '../../src/engine/host/run-host'
-import { DEFAULTS, type Desired, type FromHost, type Picture, type Progress, type Report, type Start } from '../../src/engine/protocol'
+import type { Picture, Report } from '../../src/engine/protocol'
+import {
+  ANTS,
+  all,
+  DRIVE,
+  eachByItself,
+  host,
+  LONG,
+  reports,
+  returning,
+  said,
+  session,
+  settled,
+  start,
+  SWARM,
+  transferred,
+  until,
+  want,
+} from '../hosted'
 
 /* The loop that hosts a run, with the core: what it says on the way is what a session says. */
 
-type Said<K extends FromHost['is']> = FromHost & { is: K }
-
-let host: RunHost
-let said: FromHost[]
-let transferred: Transferable[][]
-let version: number
-/** Buffers come back at once. */
-let returns: boolean
-let broken: unknown[]
-
-beforeEach(() => {
-  // What a host of an earlier test still says goes elsewhere.
-  const [messages, travelled, errors]: [FromHost[], Transferable[][], unknown[]] = [[], [], []]
-  ;[said, transferred, version, returns, broken] = [messages, travelled, 0, true, errors]
-  const made = new RunHost((message, transfers = []) => {
-    messages.push(message)
-    travelled.push(transfers)
-    if (returns && (message.is === 'report' || message.is === 'picture')) queueMicrotask(() => made.giveBack(message.frame.buffer))
-  })
-  made.onbroken = (error) => errors.push(error)
-  host = made
-})
-
-afterEach(() => {
-  want({ target: { play: false } })
-  expect(broken).toEqual([])
-})
-
-const want = (change: Partial<Desired>): number => {
-  version += 1
-  host.want(version, change)
-  return version
-}
-const all = <K extends FromHost['is']>(is: K): Said<K>[] => said.filter((message): message is Said<K> => message.is === is)
-const reports = (): Report[] => all('report')
-
-const SWARM = { planner: 'wcpso', scene: 'wcpso-discs', params: {}, seed: 3 } as unknown as Start['setup']
-const DRIVE = { planner: 'a-star-drive', scene: 'patrol', params: {}, seed: 1 } as unknown as Start['setup']
-const TOURS = { planner: 'ga', scene: 'random-52', params: {}, seed: 1 } as unknown as Start['setup']
-const ANTS = { planner: 'aco', scene: 'wolf-ant-20', params: {}, seed: 1 } as unknown as Start['setup']
-/** It comes to no end by itself for long. */
-const LONG = { planner: 'pso', scene: 'rastrigin', params: { iterations: 20_000, population: 1000 }, seed: 1 } as unknown as Start['setup']
-const TUNING = {
-  planner: 'pso-tuning',
-  scene: 'wolf-ant-20',
-  params: { population: 2, iterations: 2, seeds: 1, colony_iterations: 2 },
-  seed: 1,
-} as unknown as Start['setup']
-const start = (setup = SWARM, at = 0, play = false): Start => ({ setup, at, play })
-
-/** On a machine that is busy it may take long. */
-const until = <T>(check: () => T): Promise<T> => vi.waitFor(check, { timeout: 20_000, interval: 2 })
-
-/** The report of the state in which the newest that was wanted is true. */
-const settled = (from = version): Promise<Report> =>
-  until(() => {
-    const report = reports().findLast((one) => one.arrived && one.version >= from)
-    if (!report) throw new Error('it is still on its way')
-    return report
-  })
-
-function session<T>(setup: Start['setup'], at: number, see: (session: Session) => T): T {
-  const run = new Session(setup as Setup)
-  run.step(at)
-  const seen = see(run)
-  run.free()
-  return seen
-}
+eachByItself()
 
 test('the first report of a run says what it turned out to be, and no other does', async () => {
   const begin = want({ start: start(), budget: 50 })
@@ -273,14 +223,14 @@ describe('playing', () => {
   })
 
   test('waits for a buffer to come back', async () => {
-    returns = false
+    returning(false)
     want({ start: start(ANTS, 0, true), speed: 1000 })
     const shown = (): Report[] => said.filter((message): message is Report => message.is === 'report' || message.is === 'picture')
     await until(() => expect(shown()).toHaveLength(3))
     const at = host.session?.iteration ?? 0
     await until(() => expect(host.session?.iteration).toBeGreaterThan(at + 30))
     expect(shown()).toHaveLength(3)
-    returns = true
+    returning(true)
     for (const { frame } of shown()) host.giveBack(frame.buffer)
     want({ target: { play: false } })
     expect((await settled()).hash).toBeTruthy()
@@ -350,156 +300,4 @@ test('by the clock of evaluations the best so far comes when it has grown', asyn
   })
   const grown = curves.map(({ values }) => values.length)
   expect(new Set(grown).size).toBe(grown.length)
-})
-
-test('members come as often as they are wanted, at once when they are wanted, and where it stays', async () => {
-  want({ start: start(TOURS, 0, true), speed: 30, members: 10_000 })
-  await until(() => expect(reports().at(-1)?.iteration).toBeGreaterThan(3))
-  expect(reports().flatMap(({ members }, at) => (members ? [at] : []))).toEqual([0])
-  const asked = want({ members: 9000 })
-  await until(() => expect(reports().find((report) => report.version >= asked)?.members).toBeTruthy())
-  want({ target: { play: false } })
-  const { members, frame, iteration } = await settled()
-  expect([...(members ?? [])]).toEqual(session(TOURS, iteration, (run) => [...run.members()]))
-  expect(members?.length).toBeGreaterThan(0)
-  const at = said.findLastIndex(({ is }) => is === 'report')
-  expect(transferred[at]).toEqual([frame.buffer, members?.buffer])
-  want({ members: null })
-  expect((await settled()).members).toBe(null)
-})
-
-test('what is supposed of an item is said if its explanation knows it', async () => {
-  const item = { role: 'particles', index: 0 } as const
-  want({ start: start(SWARM, 3), item, supposition: { name: 'other-numbers', draw: 1 } })
-  const { inspection } = await until(() => {
-    const report = reports().at(-1)
-    if (!report?.inspection) throw new Error('no words yet')
-    return report
-  })
-  const [known] = inspection?.suppositions ?? []
-  expect(known).toBeTruthy()
-  want({ supposition: { name: known?.name ?? '', draw: 2 } })
-  const expected = session(SWARM, 3, (run) => run.suppose(item, known?.name as never, 2))
-  const { supposed } = await settled()
-  expect(supposed?.values).toEqual(expected?.values)
-  want({ supposition: { name: 'nobody knows it', draw: 2 } })
-  expect((await settled()).supposed).toBe(null)
-})
-
-test('without a summary where it stays there is neither hash nor link', async () => {
-  want({ start: start(SWARM, 3), summary: false, links: true })
-  const { hash, arrived } = await settled()
-  expect([hash, arrived]).toEqual([null, true])
-})
-
-test('links come with the part that makes them, for a run that is settled, too', async () => {
-  want({ start: start(SWARM, 3), links: true })
-  expect((await settled()).link).toBe(null)
-  const count = reports().length
-  host.link()
-  await until(() => expect(reports().length).toBeGreaterThan(count))
-  expect(reports().at(-1)?.link).toBe(session(SWARM, 3, (run) => run.link()))
-  host.link()
-})
-
-test('in another language all is said once more', async () => {
-  want({ start: start(DRIVE, 0, true), speed: Infinity })
-  const { iteration } = await settled()
-  const english = reports().flatMap(({ events }) => events)
-  want({ language: 'zh-CN' })
-  const report = await until(() => {
-    const last = reports().at(-1)
-    if (!last?.repeats) throw new Error('not yet')
-    return last
-  })
-  expect([report.iteration, report.events.length, report.span?.end]).toEqual([iteration, english.length, iteration])
-  expect(report.events.map(({ reason }) => reason)).not.toEqual(english.map(({ reason }) => reason))
-  const count = reports().length
-  want({ language: 'zh-CN' })
-  await settled()
-  expect(
-    reports()
-      .slice(count)
-      .some(({ repeats }) => repeats),
-  ).toBe(false)
-  want({ language: 'en' })
-  await until(() =>
-    expect(
-      reports()
-        .at(-1)
-        ?.events.map(({ reason }) => reason),
-    ).toEqual(english.map(({ reason }) => reason)),
-  )
-})
-
-describe('runs of other planners', () => {
-  const requests = (): Said<'subtasks'>[] => all('subtasks')
-
-  test('are asked for before the step that needs them, which carries them out itself where nobody does', async () => {
-    want({ start: start(TUNING, 0, true), speed: Infinity })
-    const answered = new Set<number>()
-    const { hash, iteration } = await until(() => {
-      for (const { id } of requests())
-        if (!answered.has(id)) {
-          answered.add(id)
-          // An answer to another request says nothing.
-          host.provide(id + 1000, null)
-          host.provide(id, null)
-        }
-      const report = reports().findLast(({ arrived }) => arrived)
-      if (!report) throw new Error('it is still on its way')
-      return report
-    })
-    expect(hash).toBe(session(TUNING, iteration, (run) => run.hash()))
-    const [first] = requests()
-    const jobs = session(TUNING, 0, (run) => run.jobs())
-    expect(first).toMatchObject({ id: 1, generation: 1, step: 1, planner: 'pso-tuning', tasks: jobs })
-    expect(requests().map(({ step }) => step)).toEqual(requests().map((_, at) => at + 1))
-    // It took long while it waited, and then no more.
-    const progress = all('progress') as Progress[]
-    expect(progress.at(-1)).toMatchObject({ done: 0, total: 0 })
-  })
-
-  test('are called off when another run is wanted', async () => {
-    want({ start: start(TUNING, 0, true), speed: Infinity })
-    await until(() => expect(requests()).toHaveLength(1))
-    const tasks = requests()[0]?.tasks.length
-    expect(tasks).toBeGreaterThan(0)
-    want({ start: start(SWARM, 2) })
-    expect(requests().at(-1)).toMatchObject({ id: 1, tasks: [] })
-    const { planner, iteration } = await settled()
-    expect([planner, iteration, requests().length]).toEqual(['wcpso', 2, 2])
-  })
-})
-
-test('there is something to ask of a run when it is there and no step is half taken', async () => {
-  expect(await host.untilStepEnds()).toBe(false)
-  want({ start: start(SWARM, 3) })
-  expect(await host.untilStepEnds()).toBe(true)
-  expect(host.session?.planner).toBe('wcpso')
-  want({ start: start({ ...SWARM, params: { population: 0 } }) })
-  expect(await host.untilStepEnds()).toBe(true)
-  expect(all('refused')).toHaveLength(1)
-})
-
-test('what breaks the core down is said, and not in silence', async () => {
-  want({ start: start(SWARM, 3) })
-  await settled()
-  const { session: run } = host
-  if (!run) throw new Error('no run')
-  const failing = new Error('unreachable')
-  vi.spyOn(run, 'readings').mockImplementation(() => {
-    throw failing
-  })
-  want({ target: { at: 5, play: false } })
-  await until(() => expect(broken).toEqual([failing]))
-  broken = []
-  vi.restoreAllMocks()
-})
-
-test('nobody has wanted anything: there is no run, and all is as it is by default', () => {
-  expect([host.session, host.generation, host.budget]).toEqual([undefined, 0, DEFAULTS.budget])
-  want({ target: { at: 5, play: true } })
-  host.provide(1, null)
-  expect(said).toEqual([])
 })

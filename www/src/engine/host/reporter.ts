@@ -27,7 +27,7 @@ export class Reporter {
   private known = { events: 0, until: -1 }
   private curve = -1
   private repeats = false
-  private lastOutcome = Number.NEGATIVE_INFINITY
+  private lastOutcome = 0
   private outcomeCost = 0
   private lastMembers = Number.NEGATIVE_INFINITY
   /** Of the state in which it is settled. */
