@@ -109,6 +109,8 @@ offline('a dialog that cannot be fetched is said, and the page comes back with i
   await lab.open(linkTo({}, 0))
   await lab.settled(0)
   const hash = await lab.seek(7)
+  // The part that makes links comes after the first picture.
+  await expect(page).toHaveURL(/at=7/)
   await page.keyboard.press('?')
   // The file alone: the rest is in the browser's language.
   await expect(page.getByTestId('unloaded').locator('span')).toHaveText(

@@ -124,6 +124,11 @@ class Route {
     if (this.link !== '') this.replaceSoon(LEAST)
   }
 
+  /** The address becomes that of what is shown, if it waits for that. */
+  flush(): void {
+    this.replace()
+  }
+
   private get address(): string {
     if (this.view !== 'lab') return PREFIX + this.view + (this.standing.get(this.view) ?? '') + languageKey()
     return this.link === '' ? '' : this.link + this.added + languageKey()
