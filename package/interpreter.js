@@ -19,7 +19,7 @@ const MEMORY = 64
 const STACK = 256 * 1024
 /** How long a step may take, and what only shows something; in milliseconds. */
 const STEP = 900
-/** For our own look at a code, which has an end. */
+/** For our own code, which has an end: its first steps are slow while an engine still compiles the interpreter, or is busy. */
 const READ = 10_000
 const LOOK = 300
 /** How long a code may be, in characters. */
@@ -96,7 +96,7 @@ class Isolate {
     )
     this.context = this.runtime.newContext({ intrinsics: LANGUAGE })
     this.lend(onprint)
-    this.run(PRELUDE, 'inside.js', STEP)
+    this.run(PRELUDE, 'inside.js', READ)
     const inside = this.context.getProp(this.context.global, 'inside')
     this.context.unwrapResult(this.context.evalCode('delete globalThis.inside')).dispose()
     this.inside = inside

@@ -38,7 +38,7 @@ const MEMORY: usize = 64;
 const STACK: usize = 256 * 1024;
 /// How long a step may take.
 pub(crate) const STEP: Duration = Duration::from_millis(900);
-/// For our own look at a code, which has an end.
+/// For our own code, which has an end: on a machine that is busy its first steps are slow.
 const READ: Duration = Duration::from_secs(10);
 /// How long it may take to show something.
 pub(crate) const LOOK: Duration = Duration::from_millis(300);
@@ -143,7 +143,7 @@ impl Interpreter {
         let tools = Arc::new(Mutex::new(None));
         let interpreter = Self { context, _runtime: runtime, deadline, tools };
         interpreter.lend()?;
-        interpreter.within(STEP, |ctx| {
+        interpreter.within(READ, |ctx| {
             Module::evaluate(ctx.clone(), "inside.js", INSIDE)?.finish::<()>()?;
             let inside: Object = ctx.globals().get("inside")?;
             ctx.globals().remove("inside")?;
@@ -158,7 +158,7 @@ impl Interpreter {
     /// What the inside may call.
     fn lend(&self) -> std::result::Result<(), Message> {
         let (scalar, list) = (Arc::clone(&self.tools), Arc::clone(&self.tools));
-        self.within(STEP, |ctx| {
+        self.within(READ, |ctx| {
             let outside = Object::new(ctx.clone())?;
             let thrown = |ctx: &Ctx<'_>, error: &forage::Error| Exception::throw_message(ctx, &error.to_string());
             outside.set(
