@@ -9,7 +9,7 @@ import { staticHost } from './support/static.mjs'
 
 const DIST = fileURLToPath(new URL('../dist', import.meta.url))
 const FILE = new URL('../dist-single/forage.html', import.meta.url).href
-const PATIENCE = 20_000
+const PATIENCE = 60_000
 
 const RUNS = [
   [{ planner: 'wcpso', scene: 'wcpso-discs', seed: 3 }, 20],

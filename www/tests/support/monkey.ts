@@ -6,6 +6,14 @@ export interface MonkeyReport {
   last: string[]
 }
 
+/** What is used of the browser's interface of this name, which not all TypeScript knows. */
+interface Navigation {
+  canGoBack: boolean
+  canGoForward: boolean
+  back(): { committed: Promise<unknown> }
+  forward(): { committed: Promise<unknown> }
+}
+
 declare global {
   interface Window {
     /** The page's threads that have not been ended, with the names of their scripts. */
@@ -64,6 +72,7 @@ export const monkey = (page: Page, seed: number, actions: number): Promise<Monke
       }
       const counts: Record<string, number> = {}
       const last: string[] = []
+      let travelling = false
       const nameOf = (element: Element): string =>
         (element as HTMLElement).dataset.testid ??
         element.getAttribute('aria-label') ??
@@ -129,10 +138,17 @@ export const monkey = (page: Page, seed: number, actions: number): Promise<Monke
         const which = unit()
         let action = ''
         if (which < 0.04) {
-          action = one(['back', 'forward'])
-          const { navigation } = window as unknown as { navigation: { canGoBack: boolean; canGoForward: boolean } }
-          if (action === 'back' && navigation.canGoBack) history.back()
-          if (action === 'forward' && navigation.canGoForward) history.forward()
+          const step = one(['back', 'forward'] as const)
+          action = step
+          const { navigation } = window as unknown as { navigation: Navigation }
+          // One at a time: two steps back at once could leave the page.
+          if (!travelling && (step === 'back' ? navigation.canGoBack : navigation.canGoForward)) {
+            travelling = true
+            const arrived = (): void => {
+              travelling = false
+            }
+            navigation[step]().committed.then(arrived, arrived)
+          }
         } else if (which < 0.14) {
           const key = one(KEYS)
           action = `key ${key}`
