@@ -3,12 +3,12 @@
 /** The pattern of a message, as `forage list --messages` has it. */
 export function pattern({ key, english, plurals = [] }) {
   const words = new Map(plurals.map(([name, one, other]) => [name, { one, other }]))
-  const told = english.replace(/\{\{|\}\}|\{([a-z_][a-z0-9_]*)(?::\.(\d+))?\}|[{}]/g, (found, name, digits) => {
+  const escaped = english.replace(/\{\{|\}\}|\{([a-z_][a-z0-9_]*)(?::\.(\d+))?\}|[{}]/g, (found, name, digits) => {
     if (found === '{{' || found === '}}') return `{ "${found[0]}" }`
     if (name === undefined) throw new Error(`${key}: a placeholder that Fluent has no word for in "${english}"`)
     const plural = words.get(name)
     if (plural) return `{ $${name} ->\n    [one] ${plural.one}\n   *[other] ${plural.other}\n}`
     return digits === undefined ? `{ $${name} }` : `{ NUMBER($${name}, digits: ${digits}) }`
   })
-  return told === '' ? '{ "" }' : told.replace(/^[ .*[]|[ ]$/g, (at) => `{ "${at}" }`)
+  return escaped === '' ? '{ "" }' : escaped.replace(/^[ .*[]|[ ]$/g, (at) => `{ "${at}" }`)
 }

@@ -11,8 +11,8 @@ let sayDead
 /** What every call throws after one broke down, until `reset()`; `cause` is how it did. */
 export class ModuleDead extends Error {
   constructor(cause) {
-    const told = { cause: String(cause) }
-    super(sayDead?.('error-module-dead', told) ?? 'error-module-dead', { cause })
+    const values = { cause: String(cause) }
+    super(sayDead?.('error-module-dead', values) ?? 'error-module-dead', { cause })
     this.name = 'ModuleDead'
     this.code = 'module-dead'
   }

@@ -36,5 +36,5 @@ export function withPowers(code: string): string
 /** What `power$` is, by a power of two numbers: that of large integers is exact in every engine. */
 export function powerBy(pow: (x: number, y: number) => number): (x: unknown, y: unknown) => unknown
 
-/** A value as `console.log` of a planner shows it: unlike as JSON, numbers that are none are told. */
+/** A value as `console.log` of a planner shows it: NaN and infinities are written as they are, unlike in JSON. */
 export function shown(value: unknown): string

@@ -106,7 +106,7 @@ merge()
 binaryen.setDebugInfo(false)
 binaryen.setOptimizeLevel(3)
 binaryen.setOneCallerInlineMaxSize(30)
-// What the program wasm-opt does at this level, and the library only when told.
+// What the program wasm-opt does at this level, and the library only when it is asked to.
 binaryen.setGenerateStackIR(true)
 binaryen.setOptimizeStackIR(true)
 for (const name of readdirSync(folder).filter((file) => file.endsWith('.wasm'))) optimise(name)

@@ -564,7 +564,7 @@ const TYPES = 'crates/face/src/types.d.ts'
 
 /** The declarations of the Rust types, laid out; what their documentation says in Rust's words is said in TypeScript's. */
 function types() {
-  const told = forage('list', '--types')
+  const declarations = forage('list', '--types')
     .replace(/^( *\*)\n *\* ```[\s\S]*?^ *\* ```\n/gm, '')
     .replace(/, see \[`[^`]+`\]| \(\[`[A-Za-z:]*[A-Z_]+`\]\)/g, '')
     .replace(/\[`(?:Self::)?([^`\]]+)`\](?:\([^)]*\))?/g, '`$1`')
@@ -573,7 +573,7 @@ function types() {
     .replace(/\/\*\*\n \* ([^\n]*)\n \*\//g, '/** $1 */')
   const biome = join(root, 'www/node_modules/.bin/biome')
   if (!existsSync(biome)) throw new Error('www/node_modules is missing: run scripts/setup')
-  const input = `// Written by scripts/docs.mjs from the Rust types.\n\n${told}`
+  const input = `// Written by scripts/docs.mjs from the Rust types.\n\n${declarations}`
   return execFileSync(biome, ['format', `--stdin-file-path=${TYPES}`], { cwd: root, input, encoding: 'utf8' })
 }
 

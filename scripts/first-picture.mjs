@@ -32,7 +32,7 @@ const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms))
 /** What travels, in turns: all that is on its way shares the line. */
 const line = []
 let travelling = false
-let told = []
+let answered = []
 
 async function carry() {
   if (travelling) return
@@ -63,7 +63,7 @@ const server = createServer(async (request, response) => {
     return
   }
   const body = zipped.get(file)
-  told.push({ path, asked, size: body.length })
+  answered.push({ path, asked, size: body.length })
   response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'content-encoding': 'gzip' })
   line.push({ response, body, at: 0 })
   void carry()
@@ -73,7 +73,7 @@ await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve))
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: FLAGS })
 const found = []
 for (let k = 0; k < times; k++) {
-  told = []
+  answered = []
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: values.language })
   const page = await context.newPage()
   const began = performance.now()
@@ -81,7 +81,7 @@ for (let k = 0; k < times; k++) {
   const mark = await page.waitForFunction(() => performance.getEntriesByName('first-picture')[0]?.startTime, undefined, { timeout: 60_000 })
   const ms = await mark.jsonValue()
   // When the navigation began here, give or take what the browser takes to begin it.
-  found.push({ ms, loaded: told.filter(({ asked }) => asked >= began && asked - began <= ms) })
+  found.push({ ms, loaded: answered.filter(({ asked }) => asked >= began && asked - began <= ms) })
   await context.close()
 }
 await browser.close()

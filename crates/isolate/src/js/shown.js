@@ -24,7 +24,7 @@ function textOf(value, depth) {
   return depth > DEEPEST ? '…' : inside(value, depth)
 }
 
-/** A value in words: unlike as JSON, numbers that are none are told. */
+/** A value in words: NaN and infinities are written as they are, unlike in JSON. */
 export function shown(value) {
   try {
     return textOf(value, 0)
