@@ -95,6 +95,7 @@ test('there are as many threads as cores, one at least, and all tasks of the pag
     vi.stubGlobal('navigator', { hardwareConcurrency: cores })
     expect(new WorkerPool().size).toBe(threads)
   }
+  expect(common()).toBeInstanceOf(WorkerPool)
   expect(common()).toBe(common())
   vi.unstubAllGlobals()
 })

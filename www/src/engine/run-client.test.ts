@@ -171,6 +171,18 @@ describe('what is wanted', () => {
     client.want({ item })
     thread().say(report(begin, 0, { fresh: begin }))
     expect(client.desired.item).toBe(item)
+    begin = client.want({ start: start(4), item })
+    thread().say(report(begin, 0, { fresh: begin }))
+    expect(client.desired.item).toBe(item)
+  })
+
+  test('of two starts the one that is reported is the run', async () => {
+    client.want({ start: start(2) })
+    const begin = client.want({ start: start(3) })
+    thread().say(report(begin, 0, { fresh: begin }))
+    // A thread that does not receive: the next one begins with the run that is there.
+    await vi.advanceTimersByTimeAsync(3100)
+    expect(client.desired.start).toEqual(start(3))
   })
 
   test('a start that is refused leaves the run of before, with what was wanted of it', () => {
@@ -195,6 +207,13 @@ describe('what is wanted', () => {
     thread().say({ is: 'refused', version: first, refusal: { message: 'no', field: '' } })
     expect([client.starting, client.desired.start, client.heading]).toEqual([true, start(3, 5), { at: 5, play: false }])
   })
+})
+
+test('before there is a run a report is passed on, and changes nothing', async () => {
+  made()
+  await client.open()
+  thread().say(report(client.version, 0))
+  expect([called('onreport').length, client.heading]).toEqual([1, { play: false }])
 })
 
 test('the first start that is refused leaves nothing', async () => {

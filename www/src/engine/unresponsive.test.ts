@@ -42,6 +42,29 @@ describe('a thread that does not receive', () => {
     expect(threads).toHaveLength(2)
   })
 
+  test('that receives only a part is replaced; one that receives the rest is not', async () => {
+    for (const [rest, after] of [
+      [false, 2],
+      [true, 1],
+    ] as const) {
+      threads.length = 0
+      await running()
+      client.want({ speed: 1 })
+      const first = thread().sent.at(-1)?.number ?? 0
+      client.want({ speed: 2 })
+      client.want({ speed: 3 })
+      thread().say({ is: 'seen', number: first })
+      // Now the last of them is awaited.
+      await vi.advanceTimersByTimeAsync(0)
+      thread().say({ is: 'seen', number: first + 1 })
+      await vi.advanceTimersByTimeAsync(0)
+      if (rest) thread().see()
+      await vi.advanceTimersByTimeAsync(10_000 * Number(rest) + 3100)
+      expect(threads).toHaveLength(after)
+      client.close()
+    }
+  })
+
   test('a client that is closed replaces none', async () => {
     await running()
     client.want({ speed: 1 })
@@ -135,6 +158,34 @@ describe('somebody’s code', () => {
     // Once.
     thread().say(report(client.version, 4, { fresh: client.version }))
     expect(called('onrefused')).toHaveLength(1)
+  })
+
+  test('whose start does not end is refused whatever else is wanted meanwhile', async () => {
+    await running(start(1, 4))
+    const begin = client.want({ start: start(2, 0, true, CODE) })
+    await vi.advanceTimersByTimeAsync(3100)
+    client.want({ speed: 2 })
+    // A report of the thread that begins is none of a run.
+    thread().say(report(client.version, 0))
+    expect(called('onrefused')).toEqual([])
+    thread().say(report(client.version, 4, { fresh: client.version }))
+    expect(called('onrefused')).toEqual([[{ message: UNSTOPPABLE, field: 'code' }, begin]])
+  })
+
+  test('without an interpreter that does not end while it is read is refused, and its run goes on with one', async () => {
+    await running(start(1, 4, false, { ...CODE, full: true }))
+    const read = client.api.read('for (;;);')
+    await vi.advanceTimersByTimeAsync(3600)
+    expect(await read).toMatchObject({ ok: false })
+    expect(called('onreplaced')).toEqual([[false]])
+  })
+
+  test('without an interpreter whose states do not come may be why', async () => {
+    await running(start(1, 4, false, { ...CODE, full: true }))
+    const failed = expect(client.api.states()).rejects.toBeInstanceOf(Gone)
+    await vi.advanceTimersByTimeAsync(3600)
+    await failed
+    expect(called('onreplaced')).toEqual([[true]])
   })
 
   test('whose start does not end is not refused when another start is wanted', async () => {
