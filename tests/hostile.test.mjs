@@ -10,3 +10,20 @@ test('hostile code stays inside', async () => {
   assert.deepEqual(wrong, [])
   assert.ok(attacks > 60, `${attacks} codes`)
 })
+
+test('a machine on which each look at the clock takes two seconds has time for what is not the author’s', async (context) => {
+  const now = performance.now.bind(performance)
+  let looks = 0
+  context.mock.method(performance, 'now', () => {
+    looks += 1
+    return now() + 2000 * looks
+  })
+  const { name } = await registerCode(`register({
+    name: 'calm',
+    kinds: ['function'],
+    start: ({ box, evaluate }) => ({ x: box.low, cost: evaluate(box.low) }),
+    advance: (state) => state,
+    best: ({ x, cost }) => ({ position: x, cost }),
+  })`)
+  assert.equal(name, 'calm')
+})
