@@ -255,6 +255,14 @@ describe('a pool', () => {
     expect(threads[0]?.asked).toHaveLength(length ?? 0)
   })
 
+  test('keeps threads without a task while another one is at work', async () => {
+    const pool = new WorkerPool(2)
+    void pool.run(endless)
+    expect(await pool.run(() => Promise.resolve(1))).toBe(1)
+    await vi.advanceTimersByTimeAsync(60_000)
+    expect(threads.map(({ terminate }) => terminate.mock.calls.length)).toEqual([0, 0])
+  })
+
   test('ends threads that had no task for half a minute', async () => {
     const pool = new WorkerPool(2)
     const short = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 10))
