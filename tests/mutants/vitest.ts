@@ -11,6 +11,6 @@ export default {
     name: undefined,
     isolate: true,
     testTimeout: core.test.testTimeout,
-    include: ['src/engine/**/*.test.ts', 'unit/core/run-{host,reports}.test.ts'],
+    include: ['src/engine/**/*.test.ts', 'unit/core/run-{host,loop,reports}.test.ts'],
   },
 }

@@ -38,7 +38,7 @@ export class Thread {
     .then((files) => this.api.open(files))
 
   /** `watched`: the thread is ended when it does not answer for seconds. */
-  async run<T>(task: Task<T>, watched: boolean): Promise<T> {
+  async run<T>(task: Task<T>, watched = false): Promise<T> {
     if (this.opened) await Promise.race([this.opened, this.failed])
     if (this.language !== language.tag) {
       this.language = language.tag
