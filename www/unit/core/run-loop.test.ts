@@ -73,7 +73,7 @@ class Run {
   link = (): string => `#link ${this.iteration}`
   inspect = (item: unknown): object => ({ item, suppositions: [] })
   members = (): Float64Array => new Float64Array([this.iteration])
-  curve = (): object => ({ evaluations: [], values: [] })
+  curve = (): object => ({ evaluations: [1], values: [5] })
   layerImage = (): object => ({ image: { width: 1, height: 1 }, min: 2, max: 4, range: [2, 4] })
   frame = (): object => ({ vertices: new Float32Array(4), spans: new Uint32Array(4), thinning: 1 })
 }
@@ -380,11 +380,23 @@ describe('reports', () => {
       })
       await pass(3000, 5)
       const gaps = times.slice(1).map((at, k) => at - (times[k] ?? 0) - cost)
+      expect(gaps.length).toBeGreaterThan(1)
       expect(Math.min(...gaps), `${gaps}`).toBeGreaterThanOrEqual(apart)
       expect(Math.max(...gaps), `${gaps}`).toBeLessThan(apart + 120)
       want({ target: { play: false } })
       await calm()
     }
+  })
+
+  test('by the clock of evaluations have the best so far when it has grown', async () => {
+    want({ start: { ...START }, clock: 'evaluations' })
+    await calm()
+    want({ budget: 7 })
+    await calm()
+    const [first, ...others] = reports().map(({ curve }) => curve)
+    expect(first).toEqual({ evaluations: [1], values: [5] })
+    expect(others.length).toBeGreaterThan(0)
+    for (const curve of others) expect(curve).toBe(null)
   })
 
   test('where it stays it is summed up once', async () => {
